@@ -1,0 +1,41 @@
+# SPDX-FileCopyrightText: VolumeOptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What the module consists of.
+
+set(filter_classes
+  )
+set(rendering_classes
+  vtkOpticsVolumeMapper
+  vtkOpticsVolumeProperty)
+
+list(TRANSFORM filter_classes PREPEND Filters/)
+list(TRANSFORM rendering_classes PREPEND Rendering/)
+
+# Each GLSL file becomes a string of the same name; Module/Optics holds the
+# formulas, Rendering/glsl the text around them.
+file(GLOB shaders CONFIGURE_DEPENDS
+  "${CMAKE_CURRENT_SOURCE_DIR}/Module/Optics/*.glsl"
+  "${CMAKE_CURRENT_SOURCE_DIR}/Rendering/glsl/*.glsl")
+set(sources)
+set(private_headers)
+foreach (shader IN LISTS shaders)
+  get_filename_component(name "${shader}" NAME_WE)
+  vtk_encode_string(
+    INPUT         "${shader}"
+    NAME          "${name}"
+    HEADER_OUTPUT header
+    SOURCE_OUTPUT source)
+  list(APPEND sources "${source}")
+  list(APPEND private_headers "${header}")
+endforeach ()
+
+vtk_module_add_module(VolumeOptics::VolumeOptics
+  CLASSES         ${filter_classes} ${rendering_classes}
+  SOURCES         ${sources}
+  PRIVATE_HEADERS ${private_headers})
+vtk_module_include(VolumeOptics::VolumeOptics
+  PUBLIC
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>")
+vtk_module_compile_options(VolumeOptics::VolumeOptics PRIVATE -Wall -Wextra)

@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: VolumeOptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The project around the module: finds VTK, builds, wraps, tests and installs it.
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release or RelWithDebInfo" FORCE)
+endif ()
+option(BUILD_SHARED_LIBS "Build shared libraries" ON)
+option(VOLUMEOPTICS_WRAP_PYTHON "Build the Python package volumeoptics" ON)
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+include(GNUInstallDirs)
+include(CTest)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+
+set(volumeoptics_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+  FiltersSources IOImage ImagingCore ImagingMath InteractionStyle
+  RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
+  RenderingVolumeOpenGL2 TestingCore TestingRendering opengl)
+find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
+  OPTIONAL_COMPONENTS WrappingPythonCore Python glew glad)
+find_package(glm REQUIRED)
+
+vtk_module_scan(
+  MODULE_FILES     "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
+  REQUEST_MODULES  VolumeOptics::VolumeOptics
+  PROVIDES_MODULES modules
+  ENABLE_TESTS     "${BUILD_TESTING}")
+
+# vtk_module_build() adds the module's folder by its path relative to
+# CMAKE_SOURCE_DIR, which is empty for a vtk.module at the top: pretend that the
+# project is one level up.
+get_filename_component(volumeoptics_parent "${CMAKE_CURRENT_SOURCE_DIR}" DIRECTORY)
+set(volumeoptics_source_dir "${CMAKE_SOURCE_DIR}")
+set(CMAKE_SOURCE_DIR "${volumeoptics_parent}")
+vtk_module_build(
+  MODULES             ${modules}
+  PACKAGE             VolumeOptics
+  INSTALL_EXPORT      VolumeOptics
+  VERSION             "${PROJECT_VERSION}"
+  SOVERSION           1
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/VolumeOptics"
+  CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
+set(CMAKE_SOURCE_DIR "${volumeoptics_source_dir}")

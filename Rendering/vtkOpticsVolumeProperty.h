@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkOpticsVolumeProperty
+ * @brief Optical model of a volume, beyond what vtkVolumeProperty offers.
+ *
+ * A vtkVolumeProperty that vtkOpticsVolumeMapper reads more from. Every setting's default leaves
+ * VTK's own picture unchanged; other mappers ignore the settings of this class. Lights are
+ * evaluated only while Shade is on, as in VTK.
+ *
+ * With a reflectance model other than VTK, a sample of colour c reflects
+ *   c (Ambient + Diffuse sum_l I_l HG(ScatteringAnisotropy)) + Specular sum_l I_l K S_l,
+ * where S_l is the model's reflectance times the cosine of the light's angle and K the specular
+ * coefficient (see SetSpecularFromExtinction()). SpecularPower belongs to the VTK model alone.
+ *
+ * A value outside its range is set to the nearest one of the range, with a warning.
+ *
+ * Source: [Ament2015], see Module/References.md.
+ *
+ * @sa vtkOpticsVolumeMapper
+ */
+
+#ifndef vtkOpticsVolumeProperty_h
+#define vtkOpticsVolumeProperty_h
+
+#include "vtkVolumeOpticsModule.h" // for export macro
+#include "vtkVolumeProperty.h"
+
+class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeProperty : public vtkVolumeProperty
+{
+public:
+  static vtkOpticsVolumeProperty* New();
+  vtkTypeMacro(vtkOpticsVolumeProperty, vtkVolumeProperty);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Copies the settings of vtkVolumeProperty and, if the source has them, of this class. Transfer
+   * functions are copied deeply.
+   */
+  void DeepCopy(vtkVolumeProperty* source);
+
+  ///@{
+  /**
+   * How a sample reflects light: VTK's Phong model; None, the phase function alone; Blinn-Phong
+   * (isotropic); Ward or Lafortune, whose highlights are drawn out along the shape of the data.
+   * Default VTK.
+   */
+  enum ReflectanceModelType
+  {
+    VTK = 0,
+    None,
+    BlinnPhong,
+    Ward,
+    Lafortune,
+    NumberOfReflectanceModels
+  };
+  vtkGetMacro(ReflectanceModel, int);
+  void SetReflectanceModel(int model);
+  void SetReflectanceModelToVTK() { this->SetReflectanceModel(VTK); }
+  void SetReflectanceModelToNone() { this->SetReflectanceModel(None); }
+  void SetReflectanceModelToBlinnPhong() { this->SetReflectanceModel(BlinnPhong); }
+  void SetReflectanceModelToWard() { this->SetReflectanceModel(Ward); }
+  void SetReflectanceModelToLafortune() { this->SetReflectanceModel(Lafortune); }
+  const char* GetReflectanceModelAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Size of the highlight, kept per model. Blinn-Phong, Lafortune: the exponent, in [0.01, 1e5],
+   * larger is smaller and sharper; default 30. Ward: the roughness kappa, in [1e-4, 1], smaller is
+   * sharper; default 0.2. Without a model named, that of the current one. VTK and None have none.
+   * [Ament2015] kappa of section 4.2.
+   */
+  void SetGlossiness(int model, double glossiness);
+  void SetGlossiness(double glossiness) { this->SetGlossiness(this->ReflectanceModel, glossiness); }
+  double GetGlossiness(int model);
+  double GetGlossiness() { return this->GetGlossiness(this->ReflectanceModel); }
+  ///@}
+
+  ///@{
+  /**
+   * How much the shape of the data draws the highlight out: the exponent gamma of the ratio of the
+   * eigenvalues, in [0, 1e4], kept per model. 0: isotropic. Default 10. Ward and Lafortune alone
+   * have one. Above 10 use 16 bits of frame precision (vtkOpticsVolumeMapper::SetFramePrecision()).
+   * [Ament2015] eqs 32, 34.
+   */
+  void SetAnisotropyScale(int model, double scale);
+  void SetAnisotropyScale(double scale) { this->SetAnisotropyScale(this->ReflectanceModel, scale); }
+  double GetAnisotropyScale(int model);
+  double GetAnisotropyScale() { return this->GetAnisotropyScale(this->ReflectanceModel); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether highlights show only where the classified extinction changes, K = |grad(tau)| times
+   * ScalarOpacityUnitDistance (bounded at 16), or on every sample, K = 1. Default on. Not used by
+   * the VTK and None models. [Ament2015] eq. 6.
+   */
+  vtkGetMacro(SpecularFromExtinction, bool);
+  vtkSetMacro(SpecularFromExtinction, bool);
+  vtkBooleanMacro(SpecularFromExtinction, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Where the tangent frame of the anisotropic models comes from: the covariance of the ambient
+   * region (vtkAmbientCovarianceFilter), or the principal curvatures of the isosurface
+   * (vtkPrincipalCurvatureFilter). Default Covariance.
+   */
+  enum FrameSourceType
+  {
+    Covariance = 0,
+    Curvature
+  };
+  vtkGetMacro(FrameSource, int);
+  void SetFrameSource(int source);
+  void SetFrameSourceToCovariance() { this->SetFrameSource(Covariance); }
+  void SetFrameSourceToCurvature() { this->SetFrameSource(Curvature); }
+  const char* GetFrameSourceAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Mean cosine g of the Henyey-Greenstein phase function of the diffuse term, in [-1, 1]: above 0
+   * scatters forward, below 0 back to the light. Default 0, isotropic. Not used by the VTK model
+   * (VTK 9.2 and later use it there for their own scattering).
+   */
+  void SetScatteringAnisotropy(float anisotropy);
+  float GetScatteringAnisotropy() const;
+  ///@}
+
+protected:
+  vtkOpticsVolumeProperty() = default;
+  ~vtkOpticsVolumeProperty() override = default;
+
+private:
+  vtkOpticsVolumeProperty(const vtkOpticsVolumeProperty&) = delete;
+  void operator=(const vtkOpticsVolumeProperty&) = delete;
+
+  double WithinRange(const char* name, double value, double least, double largest, double current);
+
+  int ReflectanceModel = VTK;
+  double Glossiness[NumberOfReflectanceModels] = { 0.0, 0.0, 30.0, 0.2, 30.0 };
+  double AnisotropyScale[NumberOfReflectanceModels] = { 0.0, 0.0, 0.0, 10.0, 10.0 };
+  bool SpecularFromExtinction = true;
+  int FrameSource = Covariance;
+  float PhaseAnisotropy = 0.0F;
+};
+
+#endif
