@@ -50,3 +50,5 @@ vtk_module_build(
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/VolumeOptics"
   CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
 set(CMAKE_SOURCE_DIR "${volumeoptics_source_dir}")
+
+add_subdirectory(Examples)
