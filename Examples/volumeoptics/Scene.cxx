@@ -133,10 +133,16 @@ void Scene::ApplyOptics(const OpticsSettings& optics)
   const int model = models.at(optics.Model);
   const vtkNew<vtkOpticsVolumeProperty> defaults;
   this->Property->SetReflectanceModel(model);
-  this->Property->SetGlossiness(
-    model, optics.Glossiness < 0.0 ? defaults->GetGlossiness(model) : optics.Glossiness);
-  this->Property->SetAnisotropyScale(
-    model, optics.Anisotropy < 0.0 ? defaults->GetAnisotropyScale(model) : optics.Anisotropy);
+  if (defaults->GetGlossiness(model) > 0.0)
+  {
+    this->Property->SetGlossiness(
+      model, optics.Glossiness < 0.0 ? defaults->GetGlossiness(model) : optics.Glossiness);
+  }
+  if (defaults->GetAnisotropyScale(model) > 0.0)
+  {
+    this->Property->SetAnisotropyScale(
+      model, optics.Anisotropy < 0.0 ? defaults->GetAnisotropyScale(model) : optics.Anisotropy);
+  }
   this->Property->SetScatteringAnisotropy(static_cast<float>(optics.Scattering));
   this->Property->SetFrameSource(optics.FrameSource == "curvature"
       ? vtkOpticsVolumeProperty::Curvature

@@ -13,6 +13,8 @@
 #include <vtkExecutive.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkImageExtractComponents.h>
+#include <vtkImageReader2.h>
+#include <vtkLogger.h>
 #include <vtkMath.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
@@ -24,7 +26,9 @@
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <type_traits>
 
 namespace
 {
@@ -62,10 +66,20 @@ std::string LastLine(const std::string& message)
   {
     text.pop_back();
   }
+  while (!text.empty() && text.back() == '.')
+  {
+    text.pop_back();
+  }
   const auto at = text.find("): ");
   text = at == std::string::npos ? text : text.substr(at + 3);
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
+}
+
+UserError Unreadable(const std::string& path, const std::string& reason)
+{
+  return UserError("'" + path + "' cannot be read as a volume (" + reason +
+    "). Check that the file is complete and that its ending names its format.");
 }
 
 vtkSmartPointer<vtkImageData> Run(vtkAlgorithm* reader, const std::string& path)
@@ -79,18 +93,20 @@ vtkSmartPointer<vtkImageData> Run(vtkAlgorithm* reader, const std::string& path)
     reader->AddObserver(event, keep);
     reader->GetExecutive()->AddObserver(event, keep);
   }
+  const auto verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   reader->Update();
+  vtkLogger::SetStderrVerbosity(verbosity);
   auto* image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
-  if (image == nullptr && reader->GetOutputDataObject(0) != nullptr)
+  auto* other = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (image == nullptr && other != nullptr)
   {
-    throw UserError("'" + path + "' holds a " + reader->GetOutputDataObject(0)->GetClassName() +
+    throw UserError("'" + path + "' holds a " + other->GetClassName() +
       ", not a volume. Resample it to an image first, e.g. by vtkResampleToImage.");
   }
   if (image == nullptr || image->GetNumberOfPoints() == 0)
   {
-    throw UserError("'" + path + "' cannot be read as a volume" +
-      (message.empty() ? "" : " (" + LastLine(message) + ")") +
-      ". Check that the file is complete and that its ending names its format.");
+    throw Unreadable(path, message.empty() ? "it has no voxels" : LastLine(message));
   }
   return image;
 }
@@ -99,6 +115,13 @@ template <class Reader>
 vtkSmartPointer<vtkImageData> RunFile(const std::string& path)
 {
   vtkNew<Reader> reader;
+  if constexpr (std::is_base_of<vtkImageReader2, Reader>::value)
+  {
+    if (reader->CanReadFile(path.c_str()) == 0)
+    {
+      throw Unreadable(path, "no valid header");
+    }
+  }
   reader->SetFileName(path.c_str());
   return Run(reader, path);
 }
