@@ -7,11 +7,25 @@ set(filter_classes
   vtkAnalyticVolumeSource
   vtkStructuralDissimilarity)
 set(rendering_classes
+  vtkHeadlessRenderWindow
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
 
+
+# C++ files without a class of VTK's in them, and their headers.
+set(rendering_sources
+  HeadlessContext.cxx
+  HeadlessContextEGL.cxx
+  HeadlessContextOSMesa.cxx
+  OpticsFactory.cxx)
+set(rendering_private_headers
+  HeadlessContext.h
+  OpticsFactory.h)
+
 list(TRANSFORM filter_classes PREPEND Filters/)
 list(TRANSFORM rendering_classes PREPEND Rendering/)
+list(TRANSFORM rendering_sources PREPEND Rendering/)
+list(TRANSFORM rendering_private_headers PREPEND Rendering/)
 
 # Each GLSL file becomes a string of the same name; Module/Optics holds the
 # formulas, Rendering/glsl the text around them.
@@ -33,10 +47,11 @@ endforeach ()
 
 vtk_module_add_module(VolumeOptics::VolumeOptics
   CLASSES         ${filter_classes} ${rendering_classes}
-  SOURCES         ${sources}
-  PRIVATE_HEADERS ${private_headers})
+  SOURCES         ${sources} ${rendering_sources}
+  PRIVATE_HEADERS ${private_headers} ${rendering_private_headers})
 vtk_module_include(VolumeOptics::VolumeOptics
   PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>")
 vtk_module_compile_options(VolumeOptics::VolumeOptics PRIVATE -Wall -Wextra)
+vtk_module_link(VolumeOptics::VolumeOptics PRIVATE "$<BUILD_INTERFACE:${CMAKE_DL_LIBS}>")
