@@ -7,6 +7,7 @@
 #include "Scene.h"
 #include "StructuralScore.h"
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -101,6 +102,7 @@ PictureResult GalleryStudio::DrawOnly(
   result.PreparationSeconds = scene.GetPreparationSeconds();
   result.FrameSeconds = scene.Render();
   scene.WritePng(this->Folder + "/" + file);
+  this->Known["renderer"] = { { "name", scene.GetRendererName() } };
   this->Known[file] = { { "settings", key }, { "result", result }, { "thisRun", true } };
   this->Remember();
   ++this->NumberOfPicturesDrawn;
@@ -117,6 +119,11 @@ Scene& GalleryStudio::Stage(const std::string& field)
     this->StagedField = field;
   }
   return *this->Staged;
+}
+
+std::string GalleryStudio::GetRendererName() const
+{
+  return this->Known.value("renderer", json::object()).value("name", "an unknown machine");
 }
 
 // After each picture, so that an interrupted run goes on where it stopped.

@@ -34,6 +34,8 @@ public:
 
   // Draws the picture and its reference, unless both are there with the same settings.
   PictureResult Draw(const std::string& name, const std::string& field, const PictureSettings& picture);
+  // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
+  std::string GetRendererName() const;
   int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }
 
 private:

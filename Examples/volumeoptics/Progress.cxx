@@ -63,6 +63,14 @@ void Progress::Update(double fraction, const std::string& detail)
   std::fflush(stderr);
 }
 
+void Progress::Line(const std::string& step)
+{
+  if (!Quiet && !InTerminal())
+  {
+    std::fprintf(stderr, "  %s (%s)\n", step.c_str(), TimeText(this->Seconds()).c_str());
+  }
+}
+
 double Progress::Seconds() const
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();

@@ -23,6 +23,8 @@ public:
 
   // fraction in [0, 1]; detail is shown behind the bar.
   void Update(double fraction, const std::string& detail = "");
+  // A step that is done: a line of its own where there is no terminal.
+  void Line(const std::string& step);
   double Seconds() const;
 
 private:

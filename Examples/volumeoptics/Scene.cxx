@@ -29,7 +29,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace
 {
@@ -225,12 +227,31 @@ void Scene::ApplyLight(const LightSettings& settings)
   this->Light->SetIntensity(settings.Intensity);
 }
 
+vtkRenderWindow* Scene::GetWindow()
+{
+  return this->Window;
+}
+
 double Scene::Render()
 {
   const double start = vtkTimerLog::GetUniversalTime();
   this->Window->Render();
   this->Window->WaitForCompletion();
   return vtkTimerLog::GetUniversalTime() - start;
+}
+
+std::string Scene::GetRendererName()
+{
+  std::istringstream report(this->Window->ReportCapabilities());
+  const std::string label = "OpenGL renderer string:";
+  for (std::string line; std::getline(report, line);)
+  {
+    if (line.compare(0, label.size(), label) == 0)
+    {
+      return line.substr(std::min(line.size(), line.find_first_not_of(' ', label.size())));
+    }
+  }
+  return "an unknown machine";
 }
 
 vtkSmartPointer<vtkImageData> Scene::Capture()

@@ -49,8 +49,10 @@ public:
 
   // Seconds that the mapper spent on normals and covariance since Apply().
   double GetPreparationSeconds() const { return this->PreparationSeconds; }
+  // OpenGL's name of what draws, after the first frame.
+  std::string GetRendererName();
   void SetPreparationCallback(std::function<void(double)> callback) { this->OnProgress = callback; }
-  vtkRenderWindow* GetWindow() { return this->Window; }
+  vtkRenderWindow* GetWindow();
   vtkRenderer* GetRenderer() { return this->Renderer; }
   vtkOpticsVolumeMapper* GetMapper() { return this->Mapper; }
 
