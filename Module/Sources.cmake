@@ -9,8 +9,20 @@ set(rendering_classes
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
 
+# Not part of the public interface.
+set(rendering_sources
+  FrameProvider
+  FrameTextures
+  LightUniforms
+  OpticsShaderTable
+  ReflectanceTerm
+  ScalarOpacityTexture
+  vtkOpticsShaderPass)
+
 list(TRANSFORM filter_classes PREPEND Filters/)
 list(TRANSFORM rendering_classes PREPEND Rendering/)
+list(TRANSFORM rendering_sources PREPEND Rendering/)
+list(TRANSFORM rendering_sources APPEND .cxx)
 
 # Each GLSL file becomes a string of the same name; Module/Optics holds the
 # formulas, Rendering/glsl the text around them.
@@ -32,7 +44,7 @@ endforeach ()
 
 vtk_module_add_module(VolumeOptics::VolumeOptics
   CLASSES         ${filter_classes} ${rendering_classes}
-  SOURCES         ${sources}
+  SOURCES         ${rendering_sources} ${sources}
   PRIVATE_HEADERS ${private_headers})
 vtk_module_include(VolumeOptics::VolumeOptics
   PUBLIC
