@@ -7,17 +7,20 @@ set(filter_classes
   )
 set(rendering_classes
   vtkHeadlessRenderWindow
+  vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
 
 
 # C++ files without a class of VTK's in them, and their headers.
 set(rendering_sources
+  DefaultOptics.cxx
   HeadlessContext.cxx
   HeadlessContextEGL.cxx
   HeadlessContextOSMesa.cxx
   OpticsFactory.cxx)
 set(rendering_private_headers
+  DefaultOptics.h
   HeadlessContext.h
   OpticsFactory.h)
 

@@ -11,12 +11,32 @@
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkVolumeOpticsModule.h" // for export macro
 
+class vtkOpticsVolumeProperty;
+
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
 public:
   static vtkOpticsVolumeMapper* New();
   vtkTypeMacro(vtkOpticsVolumeMapper, vtkOpenGLGPUVolumeRayCastMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether vtkGPUVolumeRayCastMapper::New(), also inside vtkSmartVolumeMapper, gives this mapper.
+   * Default off.
+   */
+  static void SetGlobalOverride(bool enabled);
+  static bool GetGlobalOverride();
+  ///@}
+
+  ///@{
+  /**
+   * The optics of volumes whose property is a plain vtkVolumeProperty and whose mapper was given
+   * none. Default null: VTK's own model.
+   */
+  static void SetDefaultOptics(vtkOpticsVolumeProperty* property);
+  static vtkOpticsVolumeProperty* GetDefaultOptics();
+  ///@}
 
 protected:
   vtkOpticsVolumeMapper() = default;
