@@ -6,14 +6,21 @@
 set(filter_classes
   )
 set(rendering_classes
+  vtkHeadlessRenderWindow
+  vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
 
-# Not part of the public interface.
+# C++ files that are not part of the public interface.
 set(rendering_sources
+  DefaultOptics
   FrameProvider
   FrameTextures
+  HeadlessContext
+  HeadlessContextEGL
+  HeadlessContextOSMesa
   LightUniforms
+  OpticsFactory
   OpticsShaderTable
   ReflectanceTerm
   ScalarOpacityTexture
@@ -51,3 +58,4 @@ vtk_module_include(VolumeOptics::VolumeOptics
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>")
 vtk_module_compile_options(VolumeOptics::VolumeOptics PRIVATE -Wall -Wextra)
+vtk_module_link(VolumeOptics::VolumeOptics PRIVATE "$<BUILD_INTERFACE:${CMAKE_DL_LIBS}>")

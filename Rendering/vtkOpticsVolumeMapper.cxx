@@ -3,6 +3,8 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
+#include "DefaultOptics.h"
+#include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -31,6 +33,7 @@ vtkStandardNewMacro(vtkOpticsVolumeMapper);
 class vtkOpticsVolumeMapper::Implementation
 {
 public:
+  vtkOpticsVolumeProperty* FindOptics(vtkVolume* volume);
   OpticsScene GetScene(vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
 
@@ -70,6 +73,16 @@ FrameProvider::Connection OutputOf(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::Implementation::FindOptics(vtkVolume* volume)
+{
+  if (auto* own = vtkOpticsVolumeProperty::SafeDownCast(volume->GetProperty()))
+  {
+    return own;
+  }
+  return this->Optics ? this->Optics.Get() : DefaultOptics::Get();
+}
+
+//------------------------------------------------------------------------------
 OpticsScene vtkOpticsVolumeMapper::Implementation::GetScene(
   vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -77,11 +90,7 @@ OpticsScene vtkOpticsVolumeMapper::Implementation::GetScene(
   scene.Mapper = mapper;
   scene.Renderer = renderer;
   scene.Volume = volume;
-  scene.Optics = vtkOpticsVolumeProperty::SafeDownCast(volume->GetProperty());
-  if (!scene.Optics)
-  {
-    scene.Optics = this->Optics;
-  }
+  scene.Optics = this->FindOptics(volume);
   scene.Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   int cellFlag = 0;
   scene.Scalars = GetScalars(mapper->GetDataSetInput(), mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
@@ -303,6 +312,30 @@ void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
   const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
   range[0] = loaded[0];
   range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetGlobalOverride(bool enabled)
+{
+  OpticsFactory::SetEnabled("vtkGPUVolumeRayCastMapper", enabled);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpticsVolumeMapper::GetGlobalOverride()
+{
+  return OpticsFactory::GetEnabled("vtkGPUVolumeRayCastMapper");
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetDefaultOptics(vtkOpticsVolumeProperty* property)
+{
+  DefaultOptics::Set(property);
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::GetDefaultOptics()
+{
+  return DefaultOptics::Get();
 }
 
 //------------------------------------------------------------------------------

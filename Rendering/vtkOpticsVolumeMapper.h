@@ -56,6 +56,24 @@ public:
 
   ///@{
   /**
+   * Whether vtkGPUVolumeRayCastMapper::New(), also inside vtkSmartVolumeMapper, gives this mapper.
+   * Default off.
+   */
+  static void SetGlobalOverride(bool enabled);
+  static bool GetGlobalOverride();
+  ///@}
+
+  ///@{
+  /**
+   * The optics of volumes whose property is a plain vtkVolumeProperty and whose mapper was given
+   * none. Default null: VTK's own model.
+   */
+  static void SetDefaultOptics(vtkOpticsVolumeProperty* property);
+  static vtkOpticsVolumeProperty* GetDefaultOptics();
+  ///@}
+
+  ///@{
+  /**
    * Normals computed elsewhere: an image with float point arrays "Normals" (3 components, unit, world
    * axes) and "GradientMagnitude" (per world length). Default none.
    */
