@@ -4,7 +4,8 @@
 # What the module consists of.
 
 set(filter_classes
-  )
+  vtkAnalyticVolumeSource
+  vtkStructuralDissimilarity)
 set(rendering_classes
   vtkHeadlessRenderWindow
   vtkOpticsPreset
