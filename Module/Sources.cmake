@@ -8,24 +8,29 @@ set(filter_classes
   vtkStructuralDissimilarity)
 set(rendering_classes
   vtkHeadlessRenderWindow
+  vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
 
-
-# C++ files without a class of VTK's in them, and their headers.
+# C++ files that are not part of the public interface.
 set(rendering_sources
-  HeadlessContext.cxx
-  HeadlessContextEGL.cxx
-  HeadlessContextOSMesa.cxx
-  OpticsFactory.cxx)
-set(rendering_private_headers
-  HeadlessContext.h
-  OpticsFactory.h)
+  DefaultOptics
+  FrameProvider
+  FrameTextures
+  HeadlessContext
+  HeadlessContextEGL
+  HeadlessContextOSMesa
+  LightUniforms
+  OpticsFactory
+  OpticsShaderTable
+  ReflectanceTerm
+  ScalarOpacityTexture
+  vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)
 list(TRANSFORM rendering_classes PREPEND Rendering/)
 list(TRANSFORM rendering_sources PREPEND Rendering/)
-list(TRANSFORM rendering_private_headers PREPEND Rendering/)
+list(TRANSFORM rendering_sources APPEND .cxx)
 
 # Each GLSL file becomes a string of the same name; Module/Optics holds the
 # formulas, Rendering/glsl the text around them.
@@ -47,8 +52,8 @@ endforeach ()
 
 vtk_module_add_module(VolumeOptics::VolumeOptics
   CLASSES         ${filter_classes} ${rendering_classes}
-  SOURCES         ${sources} ${rendering_sources}
-  PRIVATE_HEADERS ${private_headers} ${rendering_private_headers})
+  SOURCES         ${rendering_sources} ${sources}
+  PRIVATE_HEADERS ${private_headers})
 vtk_module_include(VolumeOptics::VolumeOptics
   PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
