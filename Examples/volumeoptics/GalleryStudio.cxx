@@ -4,7 +4,7 @@
 #include "GalleryStudio.h"
 
 #include "GalleryField.h"
-#include "Scene.h"
+#include "VolumeScene.h"
 #include "StructuralScore.h"
 
 #include <cstdint>
@@ -94,7 +94,7 @@ PictureResult GalleryStudio::DrawOnly(
   {
     return (*known)["result"].get<PictureResult>();
   }
-  Scene& scene = this->Stage(field);
+  VolumeScene& scene = this->Stage(field);
   scene.Apply(picture);
   PictureResult result;
   scene.Render();
@@ -109,12 +109,12 @@ PictureResult GalleryStudio::DrawOnly(
   return result;
 }
 
-Scene& GalleryStudio::Stage(const std::string& field)
+VolumeScene& GalleryStudio::Stage(const std::string& field)
 {
   if (!this->Staged || this->StagedField != field)
   {
     this->Staged.reset();
-    this->Staged = std::make_unique<Scene>(
+    this->Staged = std::make_unique<VolumeScene>(
       GalleryField(field, this->CraniumFile), OffScreenWindow(this->Headless));
     this->StagedField = field;
   }

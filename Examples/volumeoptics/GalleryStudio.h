@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-class Scene;
+class VolumeScene;
 
 struct PictureResult
 {
@@ -40,13 +40,13 @@ public:
 
 private:
   PictureResult DrawOnly(const std::string& file, const std::string& field, const PictureSettings& picture);
-  Scene& Stage(const std::string& field);
+  VolumeScene& Stage(const std::string& field);
   void Remember();
 
   std::string Folder, CraniumFile;
   bool Headless, Force;
   std::string StagedField;
-  std::unique_ptr<Scene> Staged;
+  std::unique_ptr<VolumeScene> Staged;
   nlohmann::json Known; // file -> { settings, result }
   int NumberOfPicturesDrawn = 0;
 };

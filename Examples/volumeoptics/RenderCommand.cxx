@@ -6,7 +6,7 @@
 #include "Commands.h"
 #include "PictureOptions.h"
 #include "Progress.h"
-#include "Scene.h"
+#include "VolumeScene.h"
 
 #include <vtkRenderWindow.h>
 
@@ -22,7 +22,7 @@ struct RenderOptions : PictureOptions
 void Draw(RenderOptions& options)
 {
   const Volume volume = options.Load();
-  Scene scene(volume, OffScreenWindow(options.Headless));
+  VolumeScene scene(volume, OffScreenWindow(options.Headless));
   scene.Apply(options.Picture);
   double first = 0.0;
   {

@@ -5,7 +5,7 @@
 
 #include "Commands.h"
 #include "PictureOptions.h"
-#include "Scene.h"
+#include "VolumeScene.h"
 #include "UserError.h"
 
 #include <vtkInteractorStyleTrackballCamera.h>
@@ -28,7 +28,7 @@ void View(PictureOptions& options)
     throw UserError("There is no display to open a window on. Set DISPLAY, or use 'volumeoptics render'.");
   }
   const Volume volume = options.Load();
-  Scene scene(volume, WindowKind::Visible);
+  VolumeScene scene(volume, WindowKind::Visible);
   scene.Apply(options.Picture);
   scene.GetMapper()->AutoAdjustSampleDistancesOn();
   scene.GetWindow()->SetWindowName(("volumeoptics: " + volume.Name).c_str());

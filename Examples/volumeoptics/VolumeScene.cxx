@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Scene.h"
+#include "VolumeScene.h"
 
 #include "UserError.h"
 
@@ -61,7 +61,7 @@ WindowKind OffScreenWindow(bool headless)
   return headless || display == nullptr || *display == '\0' ? WindowKind::Headless : WindowKind::Hidden;
 }
 
-Scene::Scene(const Volume& volume, WindowKind kind)
+VolumeScene::VolumeScene(const Volume& volume, WindowKind kind)
   : Data(volume)
   , Window(MakeWindow(kind))
 {
@@ -78,7 +78,7 @@ Scene::Scene(const Volume& volume, WindowKind kind)
   this->Window->AddRenderer(this->Renderer);
 
   vtkNew<vtkCallbackCommand> preparation;
-  preparation->SetCallback(Scene::OnPreparation);
+  preparation->SetCallback(VolumeScene::OnPreparation);
   preparation->SetClientData(this);
   for (const auto event : { vtkCommand::VolumeMapperComputeGradientsStartEvent,
          vtkCommand::VolumeMapperComputeGradientsProgressEvent,
@@ -88,14 +88,14 @@ Scene::Scene(const Volume& volume, WindowKind kind)
   }
 }
 
-Scene::~Scene()
+VolumeScene::~VolumeScene()
 {
   this->Window->Finalize();
 }
 
-void Scene::OnPreparation(vtkObject*, unsigned long event, void* scene, void* data)
+void VolumeScene::OnPreparation(vtkObject*, unsigned long event, void* scene, void* data)
 {
-  auto* self = static_cast<Scene*>(scene);
+  auto* self = static_cast<VolumeScene*>(scene);
   if (event == vtkCommand::VolumeMapperComputeGradientsStartEvent)
   {
     self->PreparationStart = vtkTimerLog::GetUniversalTime();
@@ -110,7 +110,7 @@ void Scene::OnPreparation(vtkObject*, unsigned long event, void* scene, void* da
   }
 }
 
-void Scene::Apply(const PictureSettings& picture)
+void VolumeScene::Apply(const PictureSettings& picture)
 {
   this->PreparationSeconds = 0.0;
   ::Apply(picture.Function, this->Property);
@@ -125,7 +125,7 @@ void Scene::Apply(const PictureSettings& picture)
   this->ApplyLight(picture.Light);
 }
 
-void Scene::ApplyOptics(const OpticsSettings& optics)
+void VolumeScene::ApplyOptics(const OpticsSettings& optics)
 {
   static const std::map<std::string, int> models = { { "vtk", vtkOpticsVolumeProperty::VTK },
     { "none", vtkOpticsVolumeProperty::None },
@@ -151,7 +151,7 @@ void Scene::ApplyOptics(const OpticsSettings& optics)
       : vtkOpticsVolumeProperty::Covariance);
 }
 
-void Scene::ApplyAmbient([[maybe_unused]] const AmbientSettings& ambient)
+void VolumeScene::ApplyAmbient([[maybe_unused]] const AmbientSettings& ambient)
 {
 #if __has_include("vtkAmbientCovarianceFilter.h")
   vtkAmbientCovarianceFilter* covariance = this->Mapper->GetAmbientCovarianceFilter();
@@ -165,7 +165,7 @@ void Scene::ApplyAmbient([[maybe_unused]] const AmbientSettings& ambient)
 #endif
 }
 
-void Scene::ApplyQuality([[maybe_unused]] const std::string& quality)
+void VolumeScene::ApplyQuality([[maybe_unused]] const std::string& quality)
 {
 #if __has_include("vtkAmbientCovarianceFilter.h")
   if (quality == "draft")
@@ -187,7 +187,7 @@ void Scene::ApplyQuality([[maybe_unused]] const std::string& quality)
 #endif
 }
 
-void Scene::ApplyCamera(const CameraSettings& settings)
+void VolumeScene::ApplyCamera(const CameraSettings& settings)
 {
   vtkNew<vtkCamera> camera;
   this->Renderer->SetActiveCamera(camera);
@@ -217,7 +217,7 @@ void Scene::ApplyCamera(const CameraSettings& settings)
 }
 
 // Direction from the focal point to the light, in the frame of a camera light: camera at z = 1.
-void Scene::ApplyLight(const LightSettings& settings)
+void VolumeScene::ApplyLight(const LightSettings& settings)
 {
   const double azimuth = vtkMath::RadiansFromDegrees(settings.Azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(settings.Elevation);
@@ -227,12 +227,12 @@ void Scene::ApplyLight(const LightSettings& settings)
   this->Light->SetIntensity(settings.Intensity);
 }
 
-vtkRenderWindow* Scene::GetWindow()
+vtkRenderWindow* VolumeScene::GetWindow()
 {
   return this->Window;
 }
 
-double Scene::Render()
+double VolumeScene::Render()
 {
   const double start = vtkTimerLog::GetUniversalTime();
   this->Window->Render();
@@ -240,7 +240,7 @@ double Scene::Render()
   return vtkTimerLog::GetUniversalTime() - start;
 }
 
-std::string Scene::GetRendererName()
+std::string VolumeScene::GetRendererName()
 {
   std::istringstream report(this->Window->ReportCapabilities());
   const std::string label = "OpenGL renderer string:";
@@ -254,7 +254,7 @@ std::string Scene::GetRendererName()
   return "an unknown machine";
 }
 
-vtkSmartPointer<vtkImageData> Scene::Capture()
+vtkSmartPointer<vtkImageData> VolumeScene::Capture()
 {
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(this->Window);
@@ -264,7 +264,7 @@ vtkSmartPointer<vtkImageData> Scene::Capture()
   return grab->GetOutput();
 }
 
-void Scene::WritePng(const std::string& path)
+void VolumeScene::WritePng(const std::string& path)
 {
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(path.c_str());

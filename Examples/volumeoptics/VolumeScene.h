@@ -3,8 +3,8 @@
 
 // One volume in one window: takes PictureSettings, renders, and tells the times.
 
-#ifndef Scene_h
-#define Scene_h
+#ifndef VolumeScene_h
+#define VolumeScene_h
 
 #include "PictureSettings.h"
 #include "VolumeFile.h"
@@ -33,13 +33,13 @@ enum class WindowKind
 // Headless where there is no display or the user wants it so.
 WindowKind OffScreenWindow(bool headless);
 
-class Scene
+class VolumeScene
 {
 public:
-  Scene(const Volume& volume, WindowKind kind);
-  ~Scene();
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
+  VolumeScene(const Volume& volume, WindowKind kind);
+  ~VolumeScene();
+  VolumeScene(const VolumeScene&) = delete;
+  VolumeVolumeScene& operator=(const VolumeScene&) = delete;
 
   void Apply(const PictureSettings& picture);
   // Seconds from the call to the finished frame.
