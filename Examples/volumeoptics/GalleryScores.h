@@ -15,7 +15,7 @@
 
 struct ScoreRow
 {
-  std::string VolumeScene;
+  std::string Scene;
   int View = 0;
   CameraSettings Camera;
   double BlinnPhong = 0.0, Ward = 0.0, Lafortune = 0.0;
