@@ -47,7 +47,7 @@ PictureSettings Base(const TransferFunction& function, double azimuth, double el
 
 PictureSettings Cranium()
 {
-  PictureSettings settings = Base(Preset("cranium"), -40.0, 6.0, 1.45);
+  PictureSettings settings = Base(Preset("cranium"), -40.0, 6.0, 1.55);
   settings.Background = { 1.0, 1.0, 1.0 };
   settings.Step = 0.8;
   settings.Ambient.Radius = 8.0;
@@ -56,14 +56,14 @@ PictureSettings Cranium()
 
 PictureSettings MarschnerLobb()
 {
-  PictureSettings settings = Base(Surface(0.5, 0.02, { 0.75, 0.66, 0.5 }), 25.0, 35.0, 1.1);
+  PictureSettings settings = Base(Surface(0.5, 0.02, { 0.75, 0.66, 0.5 }), 25.0, 35.0, 1.35);
   settings.Ambient.Radius = 10.0;
   return settings;
 }
 
 PictureSettings Primitive()
 {
-  PictureSettings settings = Base(Surface(0.5, 0.04, { 0.35, 0.5, 0.72 }), 0.0, 0.0, 1.2);
+  PictureSettings settings = Base(Surface(0.5, 0.04, { 0.35, 0.5, 0.72 }), 0.0, 0.0, 1.6);
   settings.Ambient.Radius = 16.0;
   settings.Ambient.Tolerance = 0.05;
   settings.Ambient.Samples = 200;
@@ -72,7 +72,7 @@ PictureSettings Primitive()
 
 PictureSettings PackedEllipsoids()
 {
-  PictureSettings settings = Base(Surface(0.5, 0.06, { 0.62, 0.5, 0.42 }), 0.0, 0.0, 1.6);
+  PictureSettings settings = Base(Surface(0.14, 0.05, { 0.62, 0.5, 0.42 }), 0.0, 0.0, 1.6);
   settings.Ambient.Radius = 3.0;
   return settings;
 }

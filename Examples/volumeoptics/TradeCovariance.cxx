@@ -223,7 +223,8 @@ void TradeCovariance(const CovarianceTradeOptions& options)
   Progress trading("Settings");
   for (const Setting& setting : settings)
   {
-    Outcome outcome{ setting };
+    Outcome outcome;
+    outcome.With = setting;
     const FrameImage estimate = Estimate(volume.Image, setting, options.Tolerance, outcome.Seconds);
     outcome.Error = CompareFrames(estimate, truth);
     outcomes.push_back(outcome);

@@ -5,15 +5,10 @@
 
 #include "UserError.h"
 
+#include "vtkAmbientCovarianceFilter.h"
+#include "vtkHeadlessRenderWindow.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
-#if __has_include("vtkHeadlessRenderWindow.h")
-#include "vtkHeadlessRenderWindow.h"
-#endif
-#if __has_include("vtkAmbientCovarianceFilter.h")
-#include "vtkAmbientCovarianceFilter.h"
-#include "vtkSobelNormalFilter.h"
-#endif
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -37,12 +32,10 @@ namespace
 {
 vtkSmartPointer<vtkRenderWindow> MakeWindow(WindowKind kind)
 {
-#if __has_include("vtkHeadlessRenderWindow.h")
   if (kind == WindowKind::Headless)
   {
     return vtkSmartPointer<vtkHeadlessRenderWindow>::New();
   }
-#endif
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(kind != WindowKind::Visible);
   return window;
@@ -151,23 +144,19 @@ void VolumeScene::ApplyOptics(const OpticsSettings& optics)
       : vtkOpticsVolumeProperty::Covariance);
 }
 
-void VolumeScene::ApplyAmbient([[maybe_unused]] const AmbientSettings& ambient)
+void VolumeScene::ApplyAmbient(const AmbientSettings& ambient)
 {
-#if __has_include("vtkAmbientCovarianceFilter.h")
   vtkAmbientCovarianceFilter* covariance = this->Mapper->GetAmbientCovarianceFilter();
   covariance->SetRadius(ambient.Radius);
   covariance->SetNumberOfSamples(ambient.Samples);
   covariance->SetScalarTolerance(ambient.Tolerance);
   covariance->SetFilterStandardDeviation(ambient.FilterStandardDeviation);
-  covariance->SetResolutionFactor(ambient.ResolutionFactor);
-  this->Mapper->GetSobelNormalFilter()->SetResolutionFactor(ambient.ResolutionFactor);
+  this->Mapper->SetFrameResolutionFactor(ambient.ResolutionFactor);
   this->Mapper->SetFramePrecision(ambient.Precision);
-#endif
 }
 
-void VolumeScene::ApplyQuality([[maybe_unused]] const std::string& quality)
+void VolumeScene::ApplyQuality(const std::string& quality)
 {
-#if __has_include("vtkAmbientCovarianceFilter.h")
   if (quality == "draft")
   {
     this->Mapper->SetQualityToDraft();
@@ -184,7 +173,6 @@ void VolumeScene::ApplyQuality([[maybe_unused]] const std::string& quality)
   {
     this->Mapper->SetQualityToCustom();
   }
-#endif
 }
 
 void VolumeScene::ApplyCamera(const CameraSettings& settings)

@@ -39,7 +39,7 @@ public:
   VolumeScene(const Volume& volume, WindowKind kind);
   ~VolumeScene();
   VolumeScene(const VolumeScene&) = delete;
-  VolumeVolumeScene& operator=(const VolumeScene&) = delete;
+  VolumeScene& operator=(const VolumeScene&) = delete;
 
   void Apply(const PictureSettings& picture);
   // Seconds from the call to the finished frame.
