@@ -24,8 +24,8 @@ TransferFunction Surface(double value, double softness, std::array<double, 3> co
   function.Opacity = { { value - softness, 0.0 }, { value + softness, 0.9 }, { 10.0, 0.9 } };
   function.Color = { { value, color[0], color[1], color[2] } };
   function.Ambient = 0.1;
-  function.Diffuse = 0.6;
-  function.Specular = 0.5;
+  function.Diffuse = 0.5;
+  function.Specular = 0.6;
   return function;
 }
 
@@ -39,7 +39,9 @@ PictureSettings Base(const TransferFunction& function, double azimuth, double el
   settings.Light = { -20.0, 25.0, 1.0 };
   settings.Size = { PictureSize, PictureSize };
   settings.Background = { 0.07, 0.08, 0.1 };
+  settings.Ambient.FilterStandardDeviation = 1.0;
   settings.Ambient.Precision = 16;
+  settings.Ambient.Pattern = "exhaustive";
   return settings;
 }
 
@@ -48,9 +50,9 @@ PictureSettings Base(const TransferFunction& function, double azimuth, double el
 PictureSettings Cranium()
 {
   PictureSettings settings = Base(Preset("cranium"), -40.0, 6.0, 1.55);
-  settings.Background = { 1.0, 1.0, 1.0 };
   settings.Step = 0.8;
   settings.Ambient.Radius = 8.0;
+  settings.Ambient.FilterStandardDeviation = 2.0;
   return settings;
 }
 
@@ -66,7 +68,6 @@ PictureSettings Primitive()
   PictureSettings settings = Base(Surface(0.5, 0.04, { 0.35, 0.5, 0.72 }), 0.0, 0.0, 1.6);
   settings.Ambient.Radius = 16.0;
   settings.Ambient.Tolerance = 0.05;
-  settings.Ambient.Samples = 200;
   return settings;
 }
 
@@ -104,12 +105,12 @@ GallerySection CraniumSection()
   };
   add("vtk", "Stock VTK shading", Model("vtk"));
   add("blinn-phong-low", "Blinn-Phong, low glossiness", Model("blinn-phong", 10.0));
-  add("ward-low", "Ward, low glossiness", Model("ward", 0.4, 20.0));
-  add("lafortune-low", "Lafortune, low glossiness", Model("lafortune", 5.0, 20.0));
+  add("ward-low", "Ward, low glossiness", Model("ward", 0.4, 6.0));
+  add("lafortune-low", "Lafortune, low glossiness", Model("lafortune", 8.0, 10.0));
   add("none", "Phase function alone", Model("none"));
-  add("blinn-phong-high", "Blinn-Phong, high glossiness", Model("blinn-phong", 60.0));
-  add("ward-high", "Ward, high glossiness", Model("ward", 0.15, 20.0));
-  add("lafortune-high", "Lafortune, high glossiness", Model("lafortune", 40.0, 20.0));
+  add("blinn-phong-high", "Blinn-Phong, high glossiness", Model("blinn-phong", 40.0));
+  add("ward-high", "Ward, high glossiness", Model("ward", 0.2, 10.0));
+  add("lafortune-high", "Lafortune, high glossiness", Model("lafortune", 20.0, 10.0));
   return section;
 }
 
@@ -200,11 +201,12 @@ GallerySection StudySection()
     "After Fig. 6, on an ellipsoid that fills the volume: what a radius too small, an interval too large and "
     "too few samples do, with strong (60) and moderate (10) scaling.",
     4, {} };
-  const AmbientSettings reference = { 32.0, 400, 0.02, 1.0, 0.0, 16 };
+  const AmbientSettings reference = { 24.0, 100, 0.02, 1.0, 0.0, "exhaustive", 16 };
   AmbientSettings smallRadius = reference, largeInterval = reference, fewSamples = reference;
   smallRadius.Radius = 1.0;
   largeInterval.Tolerance = 0.5;
   fewSamples.Samples = 10;
+  fewSamples.Pattern = "per-voxel";
   AmbientSettings filtered = fewSamples;
   filtered.FilterStandardDeviation = 5.0;
   const Study studies[] = { { "reference-60", "Reference, gamma 60", reference, 60.0 },
@@ -257,10 +259,10 @@ std::vector<GallerySection> GalleryList(bool withCranium)
 
 std::vector<ScoreScene> ScoreScenes(bool withCranium)
 {
-  const std::vector<OpticsSettings> high = { Model("blinn-phong", 60.0), Model("ward", 0.15, 20.0),
-    Model("lafortune", 40.0, 20.0) };
-  const std::vector<OpticsSettings> low = { Model("blinn-phong", 10.0), Model("ward", 0.4, 20.0),
-    Model("lafortune", 5.0, 20.0) };
+  const std::vector<OpticsSettings> high = { Model("blinn-phong", 40.0), Model("ward", 0.2, 10.0),
+    Model("lafortune", 20.0, 10.0) };
+  const std::vector<OpticsSettings> low = { Model("blinn-phong", 10.0), Model("ward", 0.4, 6.0),
+    Model("lafortune", 8.0, 10.0) };
   const std::vector<OpticsSettings> strong = { Model("blinn-phong", 30.0), Model("ward", 0.2, 60.0),
     Model("lafortune", 30.0, 60.0) };
   std::vector<ScoreScene> scenes;

@@ -56,7 +56,7 @@ std::string SettingsText(const PictureSettings& settings)
   }
   if (anisotropic && optics.FrameSource == "covariance")
   {
-    text += Number(", r %g", ambient.Radius) + Number(", n %g", ambient.Samples) +
+    text += Number(", r %g", ambient.Radius) + (ambient.Pattern == "exhaustive" ? ", all voxels" : Number(", n %g", ambient.Samples)) +
       Number(", eps %g", ambient.Tolerance);
     text += ambient.FilterStandardDeviation > 0.0
       ? Number(", filter %g voxels", ambient.FilterStandardDeviation)

@@ -64,6 +64,17 @@ void AddAmbient(CLI::App& command, AmbientSettings& ambient)
     ->capture_default_str()
     ->group(group);
   command
+    .add_option("--sampling", ambient.Pattern, "Pattern of the samples; exhaustive: all voxels, without noise")
+    ->check(CLI::IsMember({ "shared", "per-block", "per-voxel", "exhaustive" }))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--filter", ambient.FilterStandardDeviation,
+      "Standard deviation of a Gaussian filter of the covariance, in voxels")
+    ->check(CLI::Range(0.0, 50.0))
+    ->capture_default_str()
+    ->group(group);
+  command
     .add_option("--tolerance", ambient.Tolerance,
       "Half width of the interval of similar values, as a fraction of the scalar range")
     ->check(CLI::Range(0.0, 1.0))

@@ -28,6 +28,7 @@ struct AmbientSettings
   double Tolerance = 0.05;
   double ResolutionFactor = 1.0;
   double FilterStandardDeviation = 0.0;
+  std::string Pattern = "shared"; // shared, per-block, per-voxel, exhaustive
   int Precision = 8;
 };
 
@@ -59,7 +60,7 @@ struct PictureSettings
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   OpticsSettings, Model, Glossiness, Anisotropy, Scattering, FrameSource)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmbientSettings, Radius, Samples, Tolerance, ResolutionFactor,
-  FilterStandardDeviation, Precision)
+  FilterStandardDeviation, Pattern, Precision)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity)

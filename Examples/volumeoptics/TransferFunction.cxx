@@ -83,9 +83,11 @@ TransferFunction Preset(const std::string& name)
   TransferFunction function;
   function.HasIsolate = true;
   function.Isolate = -400.0;
+  function.Diffuse = 0.45;
+  function.Specular = 0.6;
   const std::vector<std::array<double, 4>> ivory = { { -1024.0, 0.8, 0.5, 0.4 },
-    { -150.0, 0.87, 0.6, 0.48 }, { 60.0, 0.75, 0.35, 0.3 }, { 150.0, 0.8, 0.5, 0.4 },
-    { 230.0, 0.93, 0.86, 0.72 }, { 500.0, 0.98, 0.94, 0.85 }, { 3100.0, 1.0, 1.0, 1.0 } };
+    { -150.0, 0.75, 0.45, 0.34 }, { 60.0, 0.65, 0.28, 0.24 }, { 150.0, 0.7, 0.4, 0.3 },
+    { 230.0, 0.85, 0.74, 0.57 }, { 500.0, 0.92, 0.84, 0.7 }, { 3100.0, 1.0, 0.97, 0.9 } };
   function.Color = ivory;
   if (name == "bone")
   {
@@ -94,8 +96,8 @@ TransferFunction Preset(const std::string& name)
   }
   else if (name == "cranium")
   {
-    function.Opacity = { { -1024.0, 0.0 }, { -450.0, 0.0 }, { -300.0, 0.06 }, { -150.0, 0.12 },
-      { 0.0, 0.03 }, { 80.0, 0.01 }, { 160.0, 0.0 }, { 200.0, 0.0 }, { 250.0, 0.35 },
+    function.Opacity = { { -1024.0, 0.0 }, { -450.0, 0.0 }, { -300.0, 0.03 }, { -150.0, 0.06 },
+      { 0.0, 0.015 }, { 80.0, 0.005 }, { 160.0, 0.0 }, { 200.0, 0.0 }, { 250.0, 0.35 },
       { 400.0, 0.9 }, { 3100.0, 1.0 } };
   }
   else if (name == "muscle")

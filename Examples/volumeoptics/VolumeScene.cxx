@@ -149,6 +149,10 @@ void VolumeScene::ApplyAmbient(const AmbientSettings& ambient)
   vtkAmbientCovarianceFilter* covariance = this->Mapper->GetAmbientCovarianceFilter();
   covariance->SetRadius(ambient.Radius);
   covariance->SetNumberOfSamples(ambient.Samples);
+  static const std::map<std::string, int> patterns = { { "shared", vtkAmbientCovarianceFilter::Shared },
+    { "per-block", vtkAmbientCovarianceFilter::PerBlock }, { "per-voxel", vtkAmbientCovarianceFilter::PerVoxel },
+    { "exhaustive", vtkAmbientCovarianceFilter::Exhaustive } };
+  covariance->SetSamplingPattern(patterns.at(ambient.Pattern));
   covariance->SetScalarTolerance(ambient.Tolerance);
   covariance->SetFilterStandardDeviation(ambient.FilterStandardDeviation);
   this->Mapper->SetFrameResolutionFactor(ambient.ResolutionFactor);
