@@ -4,12 +4,29 @@
 # What the module consists of.
 
 set(filter_classes
-  )
+  vtkAmbientCovarianceFilter
+  vtkAnisotropyFilter
+  vtkOpticsImageFilter
+  vtkSobelNormalFilter)
+# The filters' workings, free of VTK's conventions.
+set(filter_sources
+  AnisotropyCode.cxx
+  Batches.cxx
+  CovarianceField.cxx
+  CovarianceKernel.cxx
+  CovarianceSampler.cxx
+  GaussianFilter.cxx
+  ImageGrid.cxx
+  LiteralSampling.cxx
+  SamplePattern.cxx
+  ScalarSource.cxx
+  SobelStencil.cxx)
 set(rendering_classes
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
 
 list(TRANSFORM filter_classes PREPEND Filters/)
+list(TRANSFORM filter_sources PREPEND Filters/)
 list(TRANSFORM rendering_classes PREPEND Rendering/)
 
 # Each GLSL file becomes a string of the same name; Module/Optics holds the
@@ -32,10 +49,14 @@ endforeach ()
 
 vtk_module_add_module(VolumeOptics::VolumeOptics
   CLASSES         ${filter_classes} ${rendering_classes}
-  SOURCES         ${sources}
+  SOURCES         ${sources} ${filter_sources}
   PRIVATE_HEADERS ${private_headers})
+vtk_module_find_package(PRIVATE PACKAGE hwy)
+vtk_module_link(VolumeOptics::VolumeOptics PRIVATE hwy::hwy)
 vtk_module_include(VolumeOptics::VolumeOptics
   PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
-    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>")
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>"
+  PRIVATE
+    "${CMAKE_CURRENT_SOURCE_DIR}/Module/Optics")
 vtk_module_compile_options(VolumeOptics::VolumeOptics PRIVATE -Wall -Wextra)

@@ -22,7 +22,7 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  FiltersSources IOImage ImagingCore ImagingMath InteractionStyle
+  FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
   RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
   RenderingVolumeOpenGL2 TestingCore TestingRendering opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
