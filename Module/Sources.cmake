@@ -7,6 +7,7 @@ set(filter_classes
   vtkAmbientCovarianceFilter
   vtkAnisotropyFilter
   vtkOpticsImageFilter
+  vtkPrincipalCurvatureFilter
   vtkSobelNormalFilter)
 # The filters' workings, free of VTK's conventions.
 set(filter_sources
@@ -18,6 +19,7 @@ set(filter_sources
   GaussianFilter.cxx
   ImageGrid.cxx
   LiteralSampling.cxx
+  PrincipalCurvature.cxx
   SamplePattern.cxx
   ScalarSource.cxx
   SobelStencil.cxx)

@@ -50,3 +50,7 @@ vtk_module_build(
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/VolumeOptics"
   CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
 set(CMAKE_SOURCE_DIR "${volumeoptics_source_dir}")
+
+if (BUILD_TESTING)
+  add_subdirectory(Testing/Benchmark)
+endif ()
