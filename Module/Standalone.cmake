@@ -69,6 +69,7 @@ add_subdirectory(Module/Plugin)
 include(Module/Package.cmake)
 
 if (BUILD_TESTING)
+  add_subdirectory(Testing/Benchmark)
   add_subdirectory(Testing/Plugin)
   if (TARGET VolumeOptics::Python)
     add_subdirectory(Testing/Python)
