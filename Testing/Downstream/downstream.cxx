@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iostream>
 
 namespace
 {
@@ -64,6 +65,8 @@ int main()
 
   vtkNew<vtkUnsignedCharArray> pixel;
   window->GetPixelData(50, 50, 50, 50, 0, pixel, 0);
-  const bool isOrange = pixel->GetValue(0) > 100 && pixel->GetValue(2) < 20;
+  const bool isOrange = pixel->GetValue(0) > pixel->GetValue(2) + 100;
+  std::cout << "The pixel in the middle: " << +pixel->GetValue(0) << " " << +pixel->GetValue(1) << " "
+            << +pixel->GetValue(2) << "\n";
   return isOrange ? EXIT_SUCCESS : EXIT_FAILURE;
 }

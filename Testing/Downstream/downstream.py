@@ -23,5 +23,5 @@ window.SetSize(100, 100)
 window.AddRenderer(renderer)
 window.Render()
 pixel = vtkUnsignedCharArray()
-window.GetPixelData(50, 50, 50, 50, 0, pixel)
+window.GetPixelData(50, 50, 50, 50, 0, pixel, 0)
 assert pixel.GetValue(0) > 100
