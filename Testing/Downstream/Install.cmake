@@ -3,7 +3,7 @@
 
 # Installs the build tree, moves the install tree, and uses it there: from a CMake project, from
 # Python, and as a plugin. Run by CTest as
-#   cmake -D build=... -D source=... -D work=... -D python=... -D program=... -P Install.cmake
+#   cmake -D build=... -D source=... -D work=... (Testing/Standalone.cmake) -P Install.cmake
 
 function (run)
   execute_process(COMMAND ${ARGN}
@@ -28,7 +28,11 @@ run("${work}/build/downstream")
 include("${work}/build/paths.cmake")
 set(ENV{VOLUMEOPTICS_HEADLESS} 1)
 if (python)
-  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_dir}"
+  set(sanitizer)
+  if (preload)
+    set(sanitizer "LD_PRELOAD=${preload}" "ASAN_OPTIONS=detect_leaks=0")
+  endif ()
+  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_dir}" ${sanitizer}
     "${python}" "${source}/downstream.py" "${prefix}")
 endif ()
 run("${CMAKE_COMMAND}" -E env "VTK_AUTOLOAD_PATH=${plugin_dir}"
