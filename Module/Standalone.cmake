@@ -40,7 +40,7 @@ endif ()
 
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  FiltersSources IOImage ImagingCore ImagingMath InteractionStyle
+  FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
   RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
   RenderingVolumeOpenGL2 TestingCore TestingRendering jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
