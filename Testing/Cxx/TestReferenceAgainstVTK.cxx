@@ -10,14 +10,15 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkOpticsVolumeProperty.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
-#include "vtkPointData.h"
 
 #include <cstdlib>
 #include <functional>
@@ -115,7 +116,49 @@ void TurnImage(Stage& stage)
   stage.renderer->ResetCamera();
 }
 
+vtkLight* AddLight(Stage& stage, double x, double y, double z)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, y, z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetDiffuseColor(1.0, 0.8, 0.6);
+  light->SetSpecularColor(0.6, 0.8, 1.0);
+  light->SetAmbientColor(0.1, 0.2, 0.3);
+  stage.renderer->AddLight(light);
+  return light;
+}
+
 const Case Cases[] = {
+  // Without highlights, which VTK 9.1 misplaces for all but the headlight (see Shading.cxx).
+  { "diffuse, one-sided scene light",
+    [](Stage& s) {
+      Shade(s);
+      s.property->SetSpecular(0.0);
+      AddLight(s, 3.0, 2.0, 5.0);
+      s.renderer->TwoSidedLightingOff();
+    },
+    1.0 },
+  { "diffuse, two lights",
+    [](Stage& s) {
+      Shade(s);
+      s.property->SetSpecular(0.0);
+      AddLight(s, 3.0, 2.0, 5.0);
+      AddLight(s, -3.0, 2.0, 2.0)->SetIntensity(0.5);
+    },
+    1.0 },
+  { "diffuse, spot light",
+    [](Stage& s) {
+      Shade(s);
+      s.property->SetSpecular(0.0);
+      vtkLight* light = AddLight(s, 2.0, 2.0, 4.0);
+      light->PositionalOn();
+      // a wide cone: at its edge VTK's sample positions, half a voxel off, would show
+      light->SetConeAngle(40.0);
+      light->SetExponent(3.0);
+      light->SetAttenuationValues(0.5, 0.1, 0.02);
+    },
+    1.0 },
   { "no shading, perspective", [](Stage&) {}, 1.0 },
   { "no shading, parallel", [](Stage& s) { s.renderer->GetActiveCamera()->ParallelProjectionOn(); }, 1.0 },
   { "no shading, user matrix", Turn, 1.0 },

@@ -56,7 +56,8 @@ double Facing(double cosine, bool twoSided)
 }
 
 // VTK's shading by one headlight takes the direction to the eye, from where the ray enters the volume,
-// for light and half vector alike, and the gradient's own direction for the normal.
+// for light and half vector alike, and the gradient's own direction for the normal: one-sided, it lights
+// the far sides (and raises negative cosines to a power, which is undefined).
 Vector HeadlightPhong(const Scene& scene, const Sample& sample, const Vector& color)
 {
   const Light& light = scene.lights.front();
@@ -68,7 +69,9 @@ Vector HeadlightPhong(const Scene& scene, const Sample& sample, const Vector& co
     scene.specular * std::pow(cosine, scene.specularPower) * light.specular;
 }
 
-// VTK's shading by any lights: the ambient term is the lights' alone.
+// VTK's shading by other lights: the ambient term is the lights' alone. VTK 9.1 takes a wrong direction
+// to the viewer for directional lights' half vector, the last light's highlight alone, and the wrong
+// sign for positional lights' half vector; here the highlights are where they belong.
 Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
 {
   const Vector gradient = scene.field->Gradient(sample.position);
