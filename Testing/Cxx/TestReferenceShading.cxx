@@ -196,6 +196,60 @@ void TestStoredFrames(Checks& check)
   }
 }
 
+// The anisotropy whose major axis is x, as it lies in the tangent plane.
+glm::dvec2 AlongX(const Vector&, const Vector& normal)
+{
+  const optics::TangentBasis basis = optics::SphericalBasis(normal);
+  const glm::dvec2 axis(basis.theta.x, basis.phi.x);
+  const double length2 = glm::dot(axis, axis);
+  const double strength = 0.2;
+  return length2 > 0.0
+    ? strength * glm::dvec2(axis.x * axis.x - axis.y * axis.y, 2.0 * axis.x * axis.y) / length2
+    : glm::dvec2(0.0);
+}
+
+// Extent of the bright region along x over that along y.
+double Elongation(const Image& image)
+{
+  double alongX = 0.0;
+  double alongY = 0.0;
+  for (int i = 0; i < image.width * image.height; ++i)
+  {
+    const double x = i % image.width + 0.5 - image.width / 2.0;
+    const double y = i / image.width + 0.5 - image.height / 2.0;
+    alongX += image.pixels[i].r * x * x;
+    alongY += image.pixels[i].r * y * y;
+  }
+  return std::sqrt(alongX / alongY);
+}
+
+// Highlights are drawn out along the major axis, the more the larger gamma is.
+void TestElongation(Checks& check)
+{
+  auto field = MakeSphere();
+  Scene scene = MakeScene(field, 64);
+  scene.frames = std::make_shared<ExactFrameField>(field, AlongX);
+  ShowSurface(scene);
+  KeepSpecularOnly(scene);
+  for (Reflectance model : { Reflectance::Ward, Reflectance::Lafortune })
+  {
+    scene.reflectance = model;
+    scene.glossiness = model == Reflectance::Ward ? 0.15 : 60.0;
+    double former = 0.0;
+    for (double scale : { 0.0, 1.0, 3.0 })
+    {
+      scene.anisotropyScale = scale;
+      const double elongation = Elongation(Render(scene));
+      std::cout << (model == Reflectance::Ward ? "Ward" : "Lafortune") << ", gamma " << scale
+                << ": elongation " << elongation << "\n";
+      check.That(scale > 0.0 || std::abs(elongation - 1.0) < 0.01, "isotropic without gamma");
+      check.That(elongation > former, "longer along the major axis with gamma");
+      former = elongation;
+    }
+    check.That(former > 1.5, "drawn out along the major axis");
+  }
+}
+
 // A picture does not depend on the world's unit of length.
 void TestScaleInvariance(Checks& check)
 {
@@ -274,6 +328,7 @@ int TestReferenceShading(int, char*[])
   TestPhaseFunction(check);
   TestPositionalLight(check);
   TestStoredFrames(check);
+  TestElongation(check);
   TestScaleInvariance(check);
   TestExtremes(check);
   return check.AllPassed() ? EXIT_SUCCESS : EXIT_FAILURE;
