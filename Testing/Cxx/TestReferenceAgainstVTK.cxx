@@ -22,6 +22,7 @@
 
 #include <cstdlib>
 #include <functional>
+#include <stdexcept>
 
 using namespace reference;
 using namespace scenes;
@@ -185,11 +186,41 @@ const Case Cases[] = {
     },
     1.0 },
 };
+
+// The settings of our property reach the scene.
+void TestSceneFromVTK(Checks& check)
+{
+  Stage stage;
+  stage.property->ShadeOn();
+  stage.property->SetReflectanceModelToWard();
+  stage.property->SetGlossiness(0.3);
+  stage.property->SetAnisotropyScale(4.0);
+  stage.property->SetScatteringAnisotropy(0.25F);
+  stage.property->SpecularFromExtinctionOff();
+  stage.window->Render();
+  const Scene scene = SceneFromVTK(stage.renderer, stage.volume, PictureSize, PictureSize);
+  check.That(scene.reflectance == Reflectance::Ward && scene.glossiness == 0.3 &&
+      scene.anisotropyScale == 4.0 && scene.scatteringAnisotropy == 0.25 &&
+      !scene.specularFromExtinction,
+    "the scene takes the property's optics");
+  check.That(scene.lights.size() == 1 && scene.lights[0].headlight, "the renderer's headlight");
+  bool threw = false;
+  try
+  {
+    Render(scene);
+  }
+  catch (const std::invalid_argument&)
+  {
+    threw = true;
+  }
+  check.That(threw, "a scene without frames says so");
+}
 }
 
 int TestReferenceAgainstVTK(int, char*[])
 {
   Checks check;
+  TestSceneFromVTK(check);
   for (const Case& each : Cases)
   {
     Stage stage;

@@ -29,6 +29,25 @@ Vector Unproject(const Camera& camera, double x, double y, double depth)
   return Vector(point) / point.w;
 }
 
+// Before any thread starts: what is missing.
+void RequireComplete(const Scene& scene)
+{
+  if (!scene.field || !scene.opacity || !scene.color)
+  {
+    throw std::invalid_argument("A scene needs a field, an opacity and a colour function.");
+  }
+  const bool reflects =
+    scene.reflectance != Reflectance::VTK && scene.reflectance != Reflectance::None;
+  if (scene.shade && reflects && !scene.frames)
+  {
+    throw std::invalid_argument("Blinn-Phong, Ward and Lafortune need frames: set Scene::frames.");
+  }
+  if (!(scene.step > 0.0) || !(scene.unitDistance > 0.0))
+  {
+    throw std::invalid_argument("Step and unit distance of a scene must be above 0.");
+  }
+}
+
 Difference Summarize(double sumOfSquares, double maximum, size_t pixels)
 {
   const double count = std::max(3.0 * static_cast<double>(pixels), 1.0);
@@ -83,6 +102,7 @@ glm::dvec4 IntegrateRay(const Scene& scene, const Ray& ray)
 //------------------------------------------------------------------------------
 Image Render(const Scene& scene)
 {
+  RequireComplete(scene);
   Image image;
   image.width = scene.camera.width;
   image.height = scene.camera.height;

@@ -40,7 +40,7 @@ Ray RayThrough(const Scene& scene, double x, double y);
 
 glm::dvec4 IntegrateRay(const Scene& scene, const Ray& ray);
 
-// All pixels, threaded by vtkSMPTools.
+// All pixels, threaded by vtkSMPTools. Throws std::invalid_argument if the scene lacks something.
 Image Render(const Scene& scene);
 
 // Over a background; opaque.
