@@ -20,11 +20,22 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}"
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 
+set(volumeoptics_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
+
+# Debian's VTK belongs to Debian's Python, which need not be the first one on PATH.
+if (NOT DEFINED Python3_EXECUTABLE AND NOT VTK_DIR)
+  execute_process(COMMAND /usr/bin/python3 -c "import vtkmodules"
+    RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+  if (result EQUAL 0)
+    set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that VTK is wrapped for")
+  endif ()
+endif ()
+
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  FiltersSources IOImage ImagingCore ImagingMath InteractionStyle
+  FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
   RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
-  RenderingVolumeOpenGL2 TestingCore TestingRendering opengl)
+  RenderingVolumeOpenGL2 TestingCore TestingRendering jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
   OPTIONAL_COMPONENTS WrappingPythonCore Python glew glad)
 find_package(glm REQUIRED)
@@ -51,5 +62,18 @@ vtk_module_build(
   VERSION             "${PROJECT_VERSION}"
   SOVERSION           1
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/VolumeOptics"
-  CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
+  CMAKE_DESTINATION   "${volumeoptics_cmake_dir}")
 set(CMAKE_SOURCE_DIR "${volumeoptics_source_dir}")
+
+if (VOLUMEOPTICS_WRAP_PYTHON AND TARGET VTK::WrappingPythonCore)
+  include(Module/Python.cmake)
+endif ()
+add_subdirectory(Module/Plugin)
+include(Module/Package.cmake)
+
+if (BUILD_TESTING)
+  add_subdirectory(Testing/Plugin)
+  if (TARGET VolumeOptics::Python)
+    add_subdirectory(Testing/Python)
+  endif ()
+endif ()
