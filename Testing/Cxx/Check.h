@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Checks for unit tests: every failure prints its numbers, the test goes on, and ExitCode() tells.
+// Checks for unit tests: a failure prints its numbers (the first hundred do), the test goes on, and
+// ExitCode() tells.
 
 #ifndef Check_h
 #define Check_h
@@ -45,9 +46,8 @@ private:
   bool Report(bool ok, const std::string& what, double value, const char* relation, double reference,
     double tolerance)
   {
-    if (!ok)
+    if (!ok && ++this->Failures <= 100)
     {
-      ++this->Failures;
       std::cout.precision(std::numeric_limits<double>::max_digits10);
       std::cout << "FAILED " << what << ": " << value << ", " << relation << ' ' << reference;
       if (tolerance > 0.0)

@@ -74,10 +74,13 @@ const std::vector<TestedFunction>& TestedFunctions()
     { "OneMinusExp", relative, 100.0, 400.0 },
     // log(1 - .01), likewise
     { "OpticalDepth", relative, 100.0, 400.0 },
-    // log(1 - .999): the rounding of 1 - a, 1000 units, is absolute in the depth
-    { "BoundedOpticalDepth", [](const FunctionCase& c, const glm::dvec4& value)
-      { return value.x + 1.0 / (1.0 - std::min(std::max(double(c.P.x), 0.0), 0.999)) * (c.P.x > 0.01f ? 1.0 : 0.0); },
-      1.0, 4.0 },
+    // log(1 - a): the rounding of 1 - a is 1/(1 - a) units, absolute in the depth; below .01 the series
+    { "BoundedOpticalDepth",
+      [](const FunctionCase& c, const glm::dvec4& value) {
+        const double opacity = std::min(double(c.P.x), 0.999);
+        return value.x + (opacity > 0.0099 ? 1.0 / (1.0 - opacity) : 0.0);
+      },
+      4.0, 8.0 },
     // both of the above
     { "OpacityForLength", relative, 200.0, 800.0 },
     // the difference of the depths: relative to these
@@ -354,11 +357,10 @@ public:
       // a float's smallest normal number, where it may become 0
       const double tolerance = function.*bound * RoundingUnit * scale + 1.2e-38;
       const std::string what = function.Name + Arguments(c);
-      if (check.Finite(what, value[i]) && check.Near(what, value[i], expected[i], tolerance))
-      {
-        const double off = std::abs(value[i] - expected[i]);
-        this->Worst[c.Function] = std::max(this->Worst[c.Function], (off - 1.2e-38) / (RoundingUnit * scale + 1e-300));
-      }
+      check.Finite(what, value[i]);
+      check.Near(what, value[i], expected[i], tolerance);
+      const double off = std::abs(value[i] - expected[i]) - 1.2e-38;
+      this->Worst[c.Function] = std::max(this->Worst[c.Function], off / (RoundingUnit * scale + 1e-300));
     }
     ++this->Count[c.Function];
   }
