@@ -9,6 +9,13 @@ endif ()
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(VOLUMEOPTICS_WRAP_PYTHON "Build the Python package volumeoptics" ON)
 
+set(VOLUMEOPTICS_SANITIZE "" CACHE STRING
+  "Sanitizers to build with, as in -fsanitize=: address,undefined")
+if (VOLUMEOPTICS_SANITIZE)
+  add_compile_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}" -fno-omit-frame-pointer)
+  add_link_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}")
+endif ()
+
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -33,7 +40,7 @@ endif ()
 
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
-  FiltersSources IOImage ImagingCore ImagingMath InteractionStyle
+  FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
   RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
   RenderingVolumeOpenGL2 TestingCore TestingRendering jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
@@ -45,6 +52,9 @@ vtk_module_scan(
   REQUEST_MODULES  VolumeOptics::VolumeOptics
   PROVIDES_MODULES modules
   ENABLE_TESTS     "${BUILD_TESTING}")
+
+# Before the module, because the module's tests link it.
+add_subdirectory(Testing/Reference)
 
 # vtk_module_build() adds the module's folder by its path relative to
 # CMAKE_SOURCE_DIR, which is empty for a vtk.module at the top: pretend that the
@@ -70,8 +80,5 @@ include(Module/Package.cmake)
 add_subdirectory(Examples)
 
 if (BUILD_TESTING)
-  add_subdirectory(Testing/Plugin)
-  if (TARGET VolumeOptics::Python)
-    add_subdirectory(Testing/Python)
-  endif ()
+  include(Testing/Standalone.cmake)
 endif ()
