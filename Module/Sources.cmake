@@ -4,13 +4,53 @@
 # What the module consists of.
 
 set(filter_classes
-  )
+  vtkAmbientCovarianceFilter
+  vtkAnalyticVolumeSource
+  vtkAnisotropyFilter
+  vtkOpticsImageFilter
+  vtkPrincipalCurvatureFilter
+  vtkSobelNormalFilter
+  vtkStructuralDissimilarity)
 set(rendering_classes
+  vtkHeadlessRenderWindow
+  vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
 
+# C++ files that are not part of the public interface.
+set(filter_sources
+  AnisotropyCode
+  Batches
+  CovarianceField
+  CovarianceKernel
+  CovarianceSampler
+  GaussianFilter
+  ImageGrid
+  LiteralSampling
+  PrincipalCurvature
+  SamplePattern
+  ScalarSource
+  SobelStencil)
+set(rendering_sources
+  DefaultOptics
+  FrameProvider
+  FrameTextures
+  HeadlessContext
+  HeadlessContextEGL
+  HeadlessContextOSMesa
+  LightUniforms
+  OpticsFactory
+  OpticsShaderTable
+  ReflectanceTerm
+  ScalarOpacityTexture
+  vtkOpticsShaderPass)
+
 list(TRANSFORM filter_classes PREPEND Filters/)
+list(TRANSFORM filter_sources PREPEND Filters/)
 list(TRANSFORM rendering_classes PREPEND Rendering/)
+list(TRANSFORM rendering_sources PREPEND Rendering/)
+list(TRANSFORM filter_sources APPEND .cxx)
+list(TRANSFORM rendering_sources APPEND .cxx)
 
 # Each GLSL file becomes a string of the same name; Module/Optics holds the
 # formulas, Rendering/glsl the text around them.
@@ -32,10 +72,15 @@ endforeach ()
 
 vtk_module_add_module(VolumeOptics::VolumeOptics
   CLASSES         ${filter_classes} ${rendering_classes}
-  SOURCES         ${sources}
+  SOURCES         ${filter_sources} ${rendering_sources} ${sources}
   PRIVATE_HEADERS ${private_headers})
+vtk_module_find_package(PRIVATE PACKAGE hwy)
+vtk_module_link(VolumeOptics::VolumeOptics PRIVATE hwy::hwy)
 vtk_module_include(VolumeOptics::VolumeOptics
   PUBLIC
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Filters>"
-    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>")
+    "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/Rendering>"
+  PRIVATE
+    "${CMAKE_CURRENT_SOURCE_DIR}/Module/Optics")
 vtk_module_compile_options(VolumeOptics::VolumeOptics PRIVATE -Wall -Wextra)
+vtk_module_link(VolumeOptics::VolumeOptics PRIVATE "$<BUILD_INTERFACE:${CMAKE_DL_LIBS}>")

@@ -1,30 +1,8 @@
 # SPDX-FileCopyrightText: VolumeOptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The tests of Module/Optics, and what they include: the formulas, and copies of them whose literals
-# are floats in C++. Before vtk_test_cxx_executable().
-
-set(optics_tests
-  TestAnisotropyCodes
-  TestAnisotropyInterpolation
-  TestEigenFrame
-  TestHighlightDirection
-  TestOpacity
-  TestOpticsFloat
-  TestOpticsGpu
-  TestPhaseFunction
-  TestReflectance
-  TestSamplingNoise
-  TestTangentBasis
-  TestWardAlbedo)
-list(TRANSFORM optics_tests APPEND .cxx OUTPUT_VARIABLE optics_sources)
-vtk_add_test_cxx(vtkVolumeOpticsCxxTests tests
-  NO_DATA NO_VALID NO_OUTPUT
-  ${optics_sources})
-foreach (test IN LISTS optics_tests)
-  set_property(TEST "VolumeOptics::VolumeOpticsCxx-${test}"
-    APPEND PROPERTY LABELS unit)
-endforeach ()
+# What the tests of Module/Optics need of the test executable: the formulas, and copies of them whose
+# literals are floats in C++.
 
 get_filename_component(optics_folder "${CMAKE_CURRENT_LIST_DIR}/../../Module/Optics" ABSOLUTE)
 file(GLOB optics_shaders CONFIGURE_DEPENDS "${optics_folder}/*.glsl")
@@ -38,8 +16,9 @@ foreach (shader IN LISTS optics_shaders ITEMS "${CMAKE_CURRENT_LIST_DIR}/OpticsT
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${shader}")
 endforeach ()
 
-include_directories("${optics_folder}" "${CMAKE_CURRENT_BINARY_DIR}")
-set_property(SOURCE TestOpticsGpu.cxx APPEND PROPERTY COMPILE_DEFINITIONS
+target_include_directories(vtkVolumeOpticsCxxTests PRIVATE
+  "${optics_folder}" "${CMAKE_CURRENT_BINARY_DIR}")
+target_compile_definitions(vtkVolumeOpticsCxxTests PRIVATE
   "VOLUMEOPTICS_OPTICS_FOLDER=\"${optics_folder}\""
   "VOLUMEOPTICS_TESTS_FOLDER=\"${CMAKE_CURRENT_LIST_DIR}\"")
 

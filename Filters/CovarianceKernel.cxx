@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CovarianceKernel.h"
+
+#include <vector>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "CovarianceKernel.cxx"
+#include <hwy/foreach_target.h> // compiles this file once for each instruction set
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace volumeoptics
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+using Lanes = hn::CappedTag<float, KernelPadding>;
+using Vector = hn::Vec<Lanes>;
+using Mask = hn::Mask<Lanes>;
+
+// Number and sum of the accepted offsets.
+struct Centroid
+{
+  Vector Count;
+  Vector X;
+  Vector Y;
+  Vector Z;
+
+  // Written out: an implicit constructor would be compiled for the baseline instruction set.
+  HWY_INLINE Centroid()
+    : Count(hn::Zero(Lanes()))
+    , X(Count)
+    , Y(Count)
+    , Z(Count)
+  {
+  }
+
+  HWY_INLINE void Add(Mask accepted, const float* world)
+  {
+    const Lanes lanes;
+    Count = hn::Add(Count, hn::IfThenElseZero(accepted, hn::Set(lanes, 1.0f)));
+    X = hn::Add(X, hn::IfThenElseZero(accepted, hn::Set(lanes, world[0])));
+    Y = hn::Add(Y, hn::IfThenElseZero(accepted, hn::Set(lanes, world[1])));
+    Z = hn::Add(Z, hn::IfThenElseZero(accepted, hn::Set(lanes, world[2])));
+  }
+};
+
+// C of the accepted samples, about a known centroid.
+struct Moments
+{
+  Vector Theta[3];
+  Vector Phi[2];
+  Vector MeanTheta;
+  Vector MeanPhi;
+  Vector ThetaTheta = hn::Zero(Lanes());
+  Vector ThetaPhi = hn::Zero(Lanes());
+  Vector PhiPhi = hn::Zero(Lanes());
+
+  HWY_INLINE Moments(const CovarianceRow& row, std::size_t x, const Centroid& centroid)
+  {
+    const Lanes lanes;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Theta[axis] = hn::LoadU(lanes, row.Theta[axis] + x);
+    }
+    Phi[0] = hn::LoadU(lanes, row.Phi[0] + x);
+    Phi[1] = hn::LoadU(lanes, row.Phi[1] + x);
+    const Vector one = hn::Set(lanes, 1.0f);
+    const Vector share = hn::Div(one, hn::Max(centroid.Count, one));
+    const Vector theta =
+      hn::MulAdd(Theta[0], centroid.X, hn::MulAdd(Theta[1], centroid.Y, hn::Mul(Theta[2], centroid.Z)));
+    const Vector phi = hn::MulAdd(Phi[0], centroid.X, hn::Mul(Phi[1], centroid.Y));
+    MeanTheta = hn::Mul(theta, share);
+    MeanPhi = hn::Mul(phi, share);
+  }
+
+  HWY_INLINE void Add(Mask accepted, const float* world)
+  {
+    const Lanes lanes;
+    const Vector x = hn::Set(lanes, world[0]);
+    const Vector y = hn::Set(lanes, world[1]);
+    const Vector z = hn::Set(lanes, world[2]);
+    const Vector theta =
+      hn::MulAdd(Theta[0], x, hn::MulAdd(Theta[1], y, hn::MulSub(Theta[2], z, MeanTheta)));
+    const Vector phi = hn::MulAdd(Phi[0], x, hn::MulSub(Phi[1], y, MeanPhi));
+    const Vector rest = hn::NegMulAdd(phi, phi, hn::NegMulAdd(theta, theta, hn::Set(lanes, 1.0f)));
+    const Vector weight = hn::IfThenElseZero(accepted, hn::Max(rest, hn::Zero(lanes)));
+    const Vector weightedTheta = hn::Mul(weight, theta);
+    ThetaTheta = hn::MulAdd(weightedTheta, theta, ThetaTheta);
+    ThetaPhi = hn::MulAdd(weightedTheta, phi, ThetaPhi);
+    PhiPhi = hn::MulAdd(hn::Mul(weight, phi), phi, PhiPhi);
+  }
+};
+
+HWY_INLINE void Store(
+  const CovarianceRow& row, std::size_t x, const Centroid& centroid, const Moments& moments)
+{
+  const Lanes lanes;
+  hn::StoreU(centroid.Count, lanes, row.Accepted + x);
+  hn::StoreU(moments.ThetaTheta, lanes, row.ThetaTheta + x);
+  hn::StoreU(moments.ThetaPhi, lanes, row.ThetaPhi + x);
+  hn::StoreU(moments.PhiPhi, lanes, row.PhiPhi + x);
+}
+
+// False if none of the block's voxels has a normal: their results are 0 then.
+HWY_INLINE bool HasWork(const CovarianceRow& row, std::size_t x)
+{
+  const Lanes lanes;
+  const Vector zero = hn::Zero(lanes);
+  const Vector inPlane = hn::Add(
+    hn::Abs(hn::LoadU(lanes, row.Phi[0] + x)), hn::Abs(hn::LoadU(lanes, row.Phi[1] + x)));
+  if (!hn::AllTrue(lanes, hn::Eq(inPlane, zero)))
+  {
+    return true;
+  }
+  for (float* sums : { row.ThetaTheta, row.ThetaPhi, row.PhiPhi, row.Accepted })
+  {
+    hn::StoreU(zero, lanes, sums + x);
+  }
+  return false;
+}
+
+HWY_INLINE Mask IsNear(Vector scalar, Vector centre, Vector tolerance)
+{
+  return hn::Le(hn::Abs(hn::Sub(scalar, centre)), tolerance); // false for NaN
+}
+
+void AccumulateNearestRow(const CovarianceRow& row, const NearestSample* samples, std::size_t count)
+{
+  const Lanes lanes;
+  const Vector tolerance = hn::Set(lanes, row.Tolerance);
+  for (std::size_t x = 0; x < static_cast<std::size_t>(row.Count); x += hn::Lanes(lanes))
+  {
+    if (!HasWork(row, x))
+    {
+      continue;
+    }
+    const Vector centre = hn::LoadU(lanes, row.Scalars + x);
+    Centroid centroid;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Vector scalar = hn::LoadU(lanes, samples[i].Scalars + x);
+      centroid.Add(IsNear(scalar, centre, tolerance), samples[i].World);
+    }
+    Moments moments(row, x, centroid);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Vector scalar = hn::LoadU(lanes, samples[i].Scalars + x);
+      moments.Add(IsNear(scalar, centre, tolerance), samples[i].World);
+    }
+    Store(row, x, centroid, moments);
+  }
+}
+
+HWY_INLINE Vector Interpolated(const LinearSample& sample, std::size_t x)
+{
+  const Lanes lanes;
+  Vector even = hn::Mul(hn::LoadU(lanes, sample.Scalars[0] + x), hn::Set(lanes, sample.Weights[0]));
+  Vector odd = hn::Mul(hn::LoadU(lanes, sample.Scalars[1] + x), hn::Set(lanes, sample.Weights[1]));
+  for (int corner = 2; corner < 8; corner += 2)
+  {
+    even = hn::MulAdd(
+      hn::LoadU(lanes, sample.Scalars[corner] + x), hn::Set(lanes, sample.Weights[corner]), even);
+    odd = hn::MulAdd(hn::LoadU(lanes, sample.Scalars[corner + 1] + x),
+      hn::Set(lanes, sample.Weights[corner + 1]), odd);
+  }
+  return hn::Add(even, odd);
+}
+
+// Interpolates once and keeps the differences for the second pass.
+void AccumulateLinearRow(const CovarianceRow& row, const LinearSample* samples, std::size_t count)
+{
+  const Lanes lanes;
+  const std::size_t width = hn::Lanes(lanes);
+  static thread_local std::vector<float> differences;
+  differences.resize(count * width);
+  const Vector tolerance = hn::Set(lanes, row.Tolerance);
+  for (std::size_t x = 0; x < static_cast<std::size_t>(row.Count); x += width)
+  {
+    if (!HasWork(row, x))
+    {
+      continue;
+    }
+    const Vector centre = hn::LoadU(lanes, row.Scalars + x);
+    Centroid centroid;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Vector difference = hn::Abs(hn::Sub(Interpolated(samples[i], x), centre));
+      hn::StoreU(difference, lanes, differences.data() + i * width);
+      centroid.Add(hn::Le(difference, tolerance), samples[i].World);
+    }
+    Moments moments(row, x, centroid);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Vector difference = hn::LoadU(lanes, differences.data() + i * width);
+      moments.Add(hn::Le(difference, tolerance), samples[i].World);
+    }
+    Store(row, x, centroid, moments);
+  }
+}
+
+const char* InstructionSet()
+{
+  return hwy::TargetName(HWY_TARGET);
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace volumeoptics
+{
+HWY_EXPORT(AccumulateNearestRow);
+HWY_EXPORT(AccumulateLinearRow);
+HWY_EXPORT(InstructionSet);
+
+void AccumulateNearest(const CovarianceRow& row, const NearestSample* samples, std::size_t count)
+{
+  HWY_DYNAMIC_DISPATCH(AccumulateNearestRow)(row, samples, count);
+}
+
+void AccumulateLinear(const CovarianceRow& row, const LinearSample* samples, std::size_t count)
+{
+  HWY_DYNAMIC_DISPATCH(AccumulateLinearRow)(row, samples, count);
+}
+
+const char* KernelInstructionSet()
+{
+  return HWY_DYNAMIC_DISPATCH(InstructionSet)();
+}
+}
+#endif

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Rows of voxels of an extent, one or more numbers a voxel, with room at both ends of each row.
+
+#ifndef VoxelBox_h
+#define VoxelBox_h
+
+#include "ImageGrid.h"
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace volumeoptics
+{
+// "No value here": blanked, outside, NaN or infinite.
+template <typename Number>
+constexpr Number NoValue()
+{
+  return std::numeric_limits<Number>::quiet_NaN();
+}
+
+template <typename Number>
+class VoxelBox
+{
+public:
+  VoxelBox() = default;
+
+  // padding: numbers before the first and after the last voxel of a row.
+  VoxelBox(const Extent& box, int components, int paddingBefore, int paddingAfter, Number value)
+    : Box(box)
+    , Components(components)
+    , PaddingBefore(paddingBefore)
+    , RowLength(static_cast<std::size_t>(box[1] - box[0] + 1) * components + paddingBefore + paddingAfter)
+    , Numbers(RowLength * (box[3] - box[2] + 1) * (box[5] - box[4] + 1), value)
+  {
+  }
+
+  const Extent& GetBox() const { return this->Box; }
+  int GetComponents() const { return this->Components; }
+  bool HasRow(int y, int z) const
+  {
+    return y >= this->Box[2] && y <= this->Box[3] && z >= this->Box[4] && z <= this->Box[5];
+  }
+
+  // The first voxel of a row: x = GetBox()[0].
+  Number* Row(int y, int z) { return this->Numbers.data() + this->RowStart(y, z); }
+  const Number* Row(int y, int z) const { return this->Numbers.data() + this->RowStart(y, z); }
+
+  Number* At(int x, int y, int z)
+  {
+    return this->Row(y, z) + static_cast<std::ptrdiff_t>(x - this->Box[0]) * this->Components;
+  }
+  const Number* At(int x, int y, int z) const
+  {
+    return this->Row(y, z) + static_cast<std::ptrdiff_t>(x - this->Box[0]) * this->Components;
+  }
+
+private:
+  std::size_t RowStart(int y, int z) const
+  {
+    const std::size_t rowsPerSlice = this->Box[3] - this->Box[2] + 1;
+    return this->PaddingBefore + this->RowLength * ((y - this->Box[2]) + rowsPerSlice * (z - this->Box[4]));
+  }
+
+  Extent Box = { 0, -1, 0, -1, 0, -1 };
+  int Components = 1;
+  std::size_t PaddingBefore = 0;
+  std::size_t RowLength = 0;
+  std::vector<Number> Numbers;
+};
+}
+
+#endif

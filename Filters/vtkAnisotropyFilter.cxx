@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkAnisotropyFilter.h"
+
+#include "AnisotropyCode.h"
+#include "Batches.h"
+
+#include "vtkImageData.h"
+
+#include <algorithm>
+
+namespace
+{
+const char* const StorageNames[] = { "Map", "Components", "World" };
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropyFilter::SetStorage(int storage)
+{
+  if (storage < Map || storage > World)
+  {
+    vtkWarningMacro(<< "Storage " << storage << " is none of Map (0), Components (1), World (2); it stays "
+                    << this->GetStorageAsString() << ".");
+    return;
+  }
+  if (storage != this->Storage)
+  {
+    this->Storage = storage;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkAnisotropyFilter::GetStorageAsString()
+{
+  return StorageNames[this->Storage];
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropyFilter::ComputeArrays(const volumeoptics::ImageGrid& grid,
+  const volumeoptics::ImageRows& rows, vtkInformationVector** inputs,
+  volumeoptics::Batches& batches, vtkImageData* output)
+{
+  volumeoptics::Extent extent;
+  output->GetExtent(extent.data());
+  const int components =
+    volumeoptics::NumberOfCodeComponents(static_cast<volumeoptics::Storage>(this->Storage));
+  volumeoptics::VoxelBox<float> codes(volumeoptics::Grown(extent, { 1, 1, 1 }, grid.Whole),
+    components, 0, 0, volumeoptics::NoValue<float>());
+  if (!this->ComputeCodes(grid, rows, inputs, batches, codes))
+  {
+    return false;
+  }
+  float* numbers = AddArray(output, "AmbientCovariance", components);
+  const auto tiles = volumeoptics::SplitIntoTiles(extent, 32, 1.0e6);
+  const vtkIdType nx = extent[1] - extent[0] + 1;
+  const vtkIdType ny = extent[3] - extent[2] + 1;
+  return batches.Run(tiles.size(), 1.0, [&](long long unit) {
+    const volumeoptics::Extent& tile = tiles[unit];
+    for (int z = tile[4]; z <= tile[5]; ++z)
+    {
+      for (int y = tile[2]; y <= tile[3]; ++y)
+      {
+        float* code = numbers + components * nx * ((y - extent[2]) + ny * (z - extent[4]));
+        for (int x = tile[0]; x <= tile[1]; ++x, code += components)
+        {
+          volumeoptics::CodeOrMeanOfNeighbours(codes, x, y, z, code);
+          std::transform(code, code + components, code,
+            [this](float n) { return volumeoptics::RoundedToBits(n, this->OutputPrecision); });
+        }
+      }
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+void vtkAnisotropyFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Storage: " << this->GetStorageAsString() << "\n";
+}

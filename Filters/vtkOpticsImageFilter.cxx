@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkOpticsImageFilter.h"
+
+#include "Batches.h"
+#include "GaussianFilter.h"
+#include "ScalarSource.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+using volumeoptics::Extent;
+using volumeoptics::ImageGrid;
+
+namespace
+{
+void SetGeometry(const ImageGrid& grid, vtkInformation* input, vtkInformation* output)
+{
+  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), grid.Whole.data(), 6);
+  output->Set(vtkDataObject::SPACING(), &grid.Spacing.x, 3);
+  if (input->Has(vtkDataObject::ORIGIN()))
+  {
+    output->CopyEntry(input, vtkDataObject::ORIGIN());
+  }
+  if (input->Has(vtkDataObject::DIRECTION()))
+  {
+    output->CopyEntry(input, vtkDataObject::DIRECTION());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+double vtkOpticsImageFilter::WithinRange(
+  const char* name, double value, double least, double largest, double current)
+{
+  if (std::isnan(value))
+  {
+    vtkWarningMacro(<< name << " is not a number; it stays " << current << ". Its range is [" << least
+                    << ", " << largest << "].");
+    return current;
+  }
+  const double nearest = std::clamp(value, least, largest);
+  if (nearest != value)
+  {
+    vtkWarningMacro(<< name << " " << value << " is outside its range [" << least << ", " << largest
+                    << "]; it is set to " << nearest << ".");
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::SetResolutionFactor(double factor)
+{
+  const double value =
+    this->WithinRange("ResolutionFactor", factor, 0.01, 1.0, this->ResolutionFactor);
+  if (value != this->ResolutionFactor)
+  {
+    this->ResolutionFactor = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::SetSmoothing(double standardDeviation)
+{
+  const double value =
+    this->WithinRange("Smoothing", standardDeviation, 0.0, 100.0, this->Smoothing);
+  if (value != this->Smoothing)
+  {
+    this->Smoothing = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::SetInputComponent(int component)
+{
+  const int value = static_cast<int>(
+    this->WithinRange("InputComponent", component, 0, VTK_INT_MAX, this->InputComponent));
+  if (value != this->InputComponent)
+  {
+    this->InputComponent = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::SetOutputPrecision(int bits)
+{
+  if (bits != 8 && bits != 16 && bits != 32)
+  {
+    vtkWarningMacro(<< "OutputPrecision " << bits << " is none of 8, 16, 32 bits; it stays "
+                    << this->OutputPrecision << ".");
+    return;
+  }
+  if (bits != this->OutputPrecision)
+  {
+    this->OutputPrecision = bits;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+ImageGrid vtkOpticsImageFilter::GetGrid(vtkInformationVector** inputs)
+{
+  return volumeoptics::MakeImageGrid(inputs[0]->GetInformationObject(0), this->ResolutionFactor);
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  if (!input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    vtkErrorMacro("The input has no extent. Connect an image (vtkImageData).");
+    return 0;
+  }
+  SetGeometry(this->GetGrid(inputs), input, outputs->GetInformationObject(0));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::GetNeededExtent(const ImageGrid& grid, const int output[6], int input[6])
+{
+  Extent extent;
+  std::copy(output, output + 6, extent.data());
+  if (!volumeoptics::IsEmpty(extent))
+  {
+    volumeoptics::Halo reach;
+    this->GetReach(grid, reach.data());
+    extent = volumeoptics::Grown(extent, reach, grid.Whole);
+    if (this->Smoothing > 0.0)
+    {
+      const volumeoptics::GaussianFilter gaussian(grid, this->Smoothing * grid.VoxelLength);
+      extent = volumeoptics::Grown(extent, gaussian.GetHalo(), grid.Whole);
+    }
+    extent = volumeoptics::InputExtent(grid, extent);
+  }
+  std::copy(extent.begin(), extent.end(), input);
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  int input[6];
+  this->GetNeededExtent(this->GetGrid(inputs),
+    outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()), input);
+  inputs[0]->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
+{
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  if (!scalars || scalars->GetNumberOfTuples() == 0)
+  {
+    vtkErrorMacro("The input has no scalars to work on. Give it point scalars, or name an array by "
+                  "SetInputArrayToProcess().");
+    return nullptr;
+  }
+  if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    vtkErrorMacro("Array \"" << (scalars->GetName() ? scalars->GetName() : "")
+                             << "\" is not of the points. Convert it first, for example by "
+                                "vtkCellDataToPointData.");
+    return nullptr;
+  }
+  if (this->InputComponent >= scalars->GetNumberOfComponents())
+  {
+    vtkErrorMacro(<< "InputComponent " << this->InputComponent << " is not one of the array's "
+                  << scalars->GetNumberOfComponents() << " components. Set it to 0 to "
+                  << scalars->GetNumberOfComponents() - 1 << ".");
+    return nullptr;
+  }
+  return scalars;
+}
+
+//------------------------------------------------------------------------------
+float* vtkOpticsImageFilter::AddArray(vtkImageData* output, const char* name, int components)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(output->GetNumberOfPoints());
+  output->GetPointData()->AddArray(array);
+  return array->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* information = outputs->GetInformationObject(0);
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  output->Initialize();
+  vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  Extent extent;
+  information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  if (!input || volumeoptics::IsEmpty(extent))
+  {
+    return 1;
+  }
+  vtkDataArray* scalars = this->GetScalars(inputs);
+  if (!scalars)
+  {
+    return 0;
+  }
+  const ImageGrid grid = this->GetGrid(inputs);
+  Extent needed;
+  this->GetNeededExtent(grid, extent.data(), needed.data());
+  const volumeoptics::ImageRows rows(input, scalars, this->InputComponent);
+  if (!volumeoptics::Contains(rows.GetBox(), needed))
+  {
+    vtkErrorMacro("The input is smaller than the extent that was requested of it. Update the "
+                  "filter before it.");
+    return 0;
+  }
+  output->SetExtent(extent.data());
+  output->SetSpacing(&grid.Spacing.x);
+  output->SetOrigin(input->GetOrigin());
+  output->SetDirectionMatrix(input->GetDirectionMatrix());
+  volumeoptics::Batches batches(this);
+  if (!this->ComputeArrays(grid, rows, inputs, batches, output))
+  {
+    output->Initialize();
+    return this->AbortExecute;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ResolutionFactor: " << this->ResolutionFactor << "\n";
+  os << indent << "Smoothing: " << this->Smoothing << "\n";
+  os << indent << "InputComponent: " << this->InputComponent << "\n";
+  os << indent << "OutputPrecision: " << this->OutputPrecision << "\n";
+}

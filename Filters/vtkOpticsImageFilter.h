@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class vtkOpticsImageFilter
+ * @brief Superclass of the filters that estimate optical properties of an image's voxels.
+ *
+ * Works on one component of one array of point scalars, of any VTK type (SetInputArrayToProcess(),
+ * default the active scalars). Blanked points (vtkGhostType HIDDENPOINT), NaN and infinities have no
+ * value and are left out; DUPLICATEPOINT marks valid values of a neighbouring piece, which are used.
+ * Spacing and direction matrix are honoured: vectors are in world axes, lengths round in world space.
+ * The output has the new arrays alone, not the input's.
+ *
+ * Filters stream: a piece requests its extent and the neighbourhood that it needs, and pieces are
+ * bit for bit parts of the whole. They run on all threads (vtkSMPTools), report progress from the
+ * calling thread and look for AbortExecute about every 30 ms; an aborted filter has an empty output.
+ *
+ * A value outside its range is set to the nearest one of the range, with a warning. An image
+ * without the array gives an error and an empty output.
+ */
+
+#ifndef vtkOpticsImageFilter_h
+#define vtkOpticsImageFilter_h
+
+#include "vtkImageAlgorithm.h"
+#include "vtkVolumeOpticsModule.h" // for export macro
+
+class vtkDataArray;
+
+namespace volumeoptics
+{
+class Batches;
+class ImageRows;
+struct ImageGrid;
+}
+
+class VTKVOLUMEOPTICS_EXPORT vtkOpticsImageFilter : public vtkImageAlgorithm
+{
+public:
+  vtkTypeMacro(vtkOpticsImageFilter, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Resolution of the output relative to the input: voxel i of the output lies at input index
+   * i / ResolutionFactor, its scalar is interpolated linearly and its spacing is larger by
+   * 1 / ResolutionFactor. In [0.01, 1]; default 1, the input's own voxels. [Ament2015] section 5
+   * uses 1/2, 3/4 and 1.
+   */
+  void SetResolutionFactor(double factor);
+  vtkGetMacro(ResolutionFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Standard deviation of a Gaussian that the scalars are smoothed with first, in voxels of the
+   * input's finest spacing. In [0, 100]; 0 is none. Default 0 (vtkPrincipalCurvatureFilter: 1).
+   */
+  void SetSmoothing(double standardDeviation);
+  vtkGetMacro(Smoothing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Component of the scalars to work on, from 0; default 0. Asking for one that the array does not
+   * have is an error at execution.
+   */
+  void SetInputComponent(int component);
+  vtkGetMacro(InputComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of the normalised integers that the output is rounded to: 8, 16, or 32 for none. The array
+   * is of float all the same; this shows what an upload in that precision will do. Default 32.
+   */
+  void SetOutputPrecision(int bits);
+  void SetOutputPrecisionTo8Bits() { this->SetOutputPrecision(8); }
+  void SetOutputPrecisionTo16Bits() { this->SetOutputPrecision(16); }
+  void SetOutputPrecisionTo32Bits() { this->SetOutputPrecision(32); }
+  vtkGetMacro(OutputPrecision, int);
+  ///@}
+
+protected:
+  vtkOpticsImageFilter() = default;
+  ~vtkOpticsImageFilter() override = default;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /**
+   * Voxels of the output's grid around a voxel whose scalars it needs, smoothing left out.
+   */
+  virtual void GetReach(const volumeoptics::ImageGrid& grid, int reach[3]) = 0;
+
+  /**
+   * Adds the arrays to the output, whose extent and geometry are set. False on abort or error.
+   */
+  virtual bool ComputeArrays(const volumeoptics::ImageGrid& grid, const volumeoptics::ImageRows& rows,
+    vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) = 0;
+
+  /**
+   * The grid of the output, from the information of input port 0.
+   */
+  volumeoptics::ImageGrid GetGrid(vtkInformationVector** inputs);
+
+  /**
+   * The extent of the input that an extent of the output is computed from.
+   */
+  void GetNeededExtent(const volumeoptics::ImageGrid& grid, const int output[6], int input[6]);
+
+  /**
+   * The point array to work on; without one, nullptr and an error.
+   */
+  vtkDataArray* GetScalars(vtkInformationVector** inputs);
+
+  /**
+   * A new float array of the output's points.
+   */
+  static float* AddArray(vtkImageData* output, const char* name, int components);
+
+  /**
+   * The nearest value of the range, with a warning if that is not the value; `current` for NaN.
+   */
+  double WithinRange(const char* name, double value, double least, double largest, double current);
+
+  double ResolutionFactor = 1.0;
+  double Smoothing = 0.0;
+  int InputComponent = 0;
+  int OutputPrecision = 32;
+
+private:
+  vtkOpticsImageFilter(const vtkOpticsImageFilter&) = delete;
+  void operator=(const vtkOpticsImageFilter&) = delete;
+};
+
+#endif
