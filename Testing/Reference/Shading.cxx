@@ -97,6 +97,17 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
   return scene.ambient * ambient + scene.diffuse * diffuse * color + scene.specular * specular;
 }
 
+// The frame is that of the unclassified scalar; central differences give the extinction's normal
+// another direction, so its tangents are made orthogonal to that again.
+optics::AnisotropyFrame FrameAround(const Vector& normal, const Frame& stored)
+{
+  optics::AnisotropyFrame frame = optics::EigenFrame(stored.normal, stored.anisotropy);
+  const Vector major = frame.major - normal * glm::dot(normal, frame.major);
+  frame.major = major / std::max(glm::length(major), 1.0e-10);
+  frame.minor = glm::cross(normal, frame.major);
+  return frame;
+}
+
 // f_s max(N.L, 0) of the chosen model.
 double Reflected(const Scene& scene, const ExtinctionGradient& extinction, Vector normal,
   const Vector& toLight, const Vector& toViewer)
@@ -109,8 +120,7 @@ double Reflected(const Scene& scene, const ExtinctionGradient& extinction, Vecto
   {
     return optics::BlinnPhongReflection(normal, toLight, toViewer, scene.glossiness);
   }
-  const optics::AnisotropyFrame frame =
-    optics::EigenFrame(extinction.frame.normal, extinction.frame.anisotropy);
+  const optics::AnisotropyFrame frame = FrameAround(normal, extinction.frame);
   if (scene.reflectance == Reflectance::Ward)
   {
     const double major =
