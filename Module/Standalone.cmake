@@ -9,6 +9,13 @@ endif ()
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(VOLUMEOPTICS_WRAP_PYTHON "Build the Python package volumeoptics" ON)
 
+set(VOLUMEOPTICS_SANITIZE "" CACHE STRING
+  "Sanitizers to build with, as in -fsanitize=: address,undefined")
+if (VOLUMEOPTICS_SANITIZE)
+  add_compile_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}" -fno-omit-frame-pointer)
+  add_link_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}")
+endif ()
+
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -72,8 +79,5 @@ add_subdirectory(Module/Plugin)
 include(Module/Package.cmake)
 
 if (BUILD_TESTING)
-  add_subdirectory(Testing/Plugin)
-  if (TARGET VolumeOptics::Python)
-    add_subdirectory(Testing/Python)
-  endif ()
+  include(Testing/Standalone.cmake)
 endif ()

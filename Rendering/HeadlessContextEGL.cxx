@@ -131,8 +131,7 @@ std::vector<NamedDisplay> FindDisplays(const EGLLibrary& egl)
   if (getPlatformDisplay && HasExtension(extensions, "EGL_MESA_platform_surfaceless"))
   {
     displays.push_back(
-      { getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr),
-        "EGL surfaceless" });
+      { getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "EGL surfaceless" });
   }
   if (hasDevices)
   {

@@ -236,7 +236,8 @@ std::unique_ptr<HeadlessContext> CreateOSMesaContext(std::string& reason)
   auto context = std::make_unique<OSMesaHeadlessContext>();
   if (!context->Initialize())
   {
-    reason = "OSMesa: it gives no OpenGL 3.2 core context; install a later version of the package libosmesa6.";
+    reason =
+      "OSMesa: it gives no OpenGL 3.2 core context; install a later version of the package libosmesa6.";
     return nullptr;
   }
   return context;

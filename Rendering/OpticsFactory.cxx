@@ -38,8 +38,8 @@ protected:
     this->Add("vtkRenderWindow", "vtkHeadlessRenderWindow", vtkObjectFactoryCreatevtkHeadlessRenderWindow);
     this->Add("vtkRenderWindowInteractor", "vtkGenericRenderWindowInteractor",
       vtkObjectFactoryCreatevtkGenericRenderWindowInteractor);
-    this->Add("vtkGPUVolumeRayCastMapper", "vtkOpticsVolumeMapper",
-      vtkObjectFactoryCreatevtkOpticsVolumeMapper);
+    this->Add(
+      "vtkGPUVolumeRayCastMapper", "vtkOpticsVolumeMapper", vtkObjectFactoryCreatevtkOpticsVolumeMapper);
   }
 
 private:

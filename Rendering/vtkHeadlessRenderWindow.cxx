@@ -204,9 +204,7 @@ void vtkHeadlessRenderWindow::OpenGLInitContext()
   }
 #elif defined(VOLUMEOPTICS_VTK_HAS_HEADLESS_WINDOW)
   this->SetOpenGLSymbolLoader(
-    [](void* context, const char* name) {
-      return static_cast<HeadlessContext*>(context)->GetFunction(name);
-    },
+    [](void* context, const char* name) { return static_cast<HeadlessContext*>(context)->GetFunction(name); },
     this->Context.get());
 #endif
   this->Superclass::OpenGLInitContext();

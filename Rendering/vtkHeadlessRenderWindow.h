@@ -64,7 +64,7 @@ public:
   void Render() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
-  void ReleaseCurrent();
+  void ReleaseCurrent() override;
   int SupportsOpenGL() override;
   vtkTypeBool IsDirect() override;
   void OpenGLInitContext() override;

@@ -136,8 +136,8 @@ void WarnOfUnknownKeys(const char* fileName, const Json::Value& object)
 {
   for (const std::string& key : object.getMemberNames())
   {
-    const bool known = std::any_of(std::begin(Settings), std::end(Settings),
-      [&](const Setting& setting) { return key == setting.Name; });
+    const bool known = std::any_of(
+      std::begin(Settings), std::end(Settings), [&](const Setting& setting) { return key == setting.Name; });
     if (!known)
     {
       vtkGenericWarningMacro(<< "The preset " << fileName << " has the unknown key \"" << key
