@@ -166,8 +166,7 @@ Plane DissimilarityMap(
   advance();
   for (size_t i = 0; i < map.values.size(); ++i)
   {
-    map.values[i] =
-      Dissimilarity(varianceR.values[i], varianceP.values[i], map.values[i], homogeneityWeight);
+    map.values[i] = Dissimilarity(varianceR.values[i], varianceP.values[i], map.values[i], homogeneityWeight);
   }
   return map;
 }
@@ -188,10 +187,9 @@ Plane Luminance(vtkImageData* image)
   Plane plane(dimensions[0], dimensions[1]);
   for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
   {
-    const double luminance = isColor
-      ? 0.2126 * scalars->GetComponent(i, 0) + 0.7152 * scalars->GetComponent(i, 1) +
-        0.0722 * scalars->GetComponent(i, 2)
-      : scalars->GetComponent(i, 0);
+    const double luminance = isColor ? 0.2126 * scalars->GetComponent(i, 0) +
+        0.7152 * scalars->GetComponent(i, 1) + 0.0722 * scalars->GetComponent(i, 2)
+                                     : scalars->GetComponent(i, 0);
     plane.values[i] = std::isfinite(luminance) ? luminance / white : 0.0;
   }
   return plane;
@@ -262,8 +260,8 @@ bool vtkStructuralDissimilarity::AreComparable(vtkImageData* reference, vtkImage
   const int* p = picture->GetDimensions();
   if (r[0] != p[0] || r[1] != p[1] || r[2] != 1 || p[2] != 1)
   {
-    vtkErrorMacro(<< "The pictures are " << r[0] << " x " << r[1] << " x " << r[2] << " and " << p[0]
-                  << " x " << p[1] << " x " << p[2] << ". Give two of equal size and one slice.");
+    vtkErrorMacro(<< "The pictures are " << r[0] << " x " << r[1] << " x " << r[2] << " and " << p[0] << " x "
+                  << p[1] << " x " << p[2] << ". Give two of equal size and one slice.");
     return false;
   }
   return true;

@@ -78,8 +78,7 @@ void TestExtinctionGradient(Checks& check)
     const double opacity = scene.Opacity(sample.scalar);
     const double magnitude = glm::length(scene.field->Gradient(sample.position));
     const double expected = scene.unitDistance * std::abs(slope) / (1.0 - opacity) * magnitude;
-    for (GradientEstimate estimate :
-      { GradientEstimate::StoredNormal, GradientEstimate::CentralDifferences })
+    for (GradientEstimate estimate : { GradientEstimate::StoredNormal, GradientEstimate::CentralDifferences })
     {
       scene.gradientEstimate = estimate;
       const ExtinctionGradient gradient = ExtinctionGradientAt(scene, sample);

@@ -52,7 +52,8 @@ vtkSmartPointer<vtkImageData> MakeImage(
     {
       for (int c = 0; c < components; ++c)
       {
-        image->SetScalarComponentFromDouble(x, y, 0, c, std::round(luminance(x, y) * 65280.0) / 65280.0 * white);
+        image->SetScalarComponentFromDouble(
+          x, y, 0, c, std::round(luminance(x, y) * 65280.0) / 65280.0 * white);
       }
     }
   }
@@ -226,8 +227,7 @@ void TestSizesAndTypes()
   const double expected = Score(gray, MakeImage(ShadedBall));
   for (int components : { 2, 3, 4 })
   {
-    const double score =
-      Score(gray, MakeImage(ShadedBall, Size, Size, VTK_UNSIGNED_CHAR, components));
+    const double score = Score(gray, MakeImage(ShadedBall, Size, Size, VTK_UNSIGNED_CHAR, components));
     Check(std::abs(score - expected) < 5.0e-3, "components and types agree to their quantisation");
   }
   auto broken = MakeImage(Texture);

@@ -86,8 +86,8 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-6);
     ambient += light.ambient;
-    diffuse += illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) *
-      light.diffuse;
+    diffuse +=
+      illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) * light.diffuse;
     const double facing = Facing(cosHalf, scene.twoSided);
     if (facing > 0.0)
     {
@@ -123,8 +123,7 @@ double Reflected(const Scene& scene, const ExtinctionGradient& extinction, Vecto
   const optics::AnisotropyFrame frame = FrameAround(normal, extinction.frame);
   if (scene.reflectance == Reflectance::Ward)
   {
-    const double major =
-      optics::WardMajorRoughness(scene.glossiness, frame.logRatio, scene.anisotropyScale);
+    const double major = optics::WardMajorRoughness(scene.glossiness, frame.logRatio, scene.anisotropyScale);
     return optics::WardReflection(
       normal, frame.major, frame.minor, toLight, toViewer, major, scene.glossiness);
   }
@@ -203,8 +202,8 @@ Vector Radiance(const Scene& scene, const Sample& sample)
   {
     const Illumination illumination = IlluminationAt(scene, light, sample.position);
     const double cosTheta = -glm::dot(illumination.toLight, sample.toViewer);
-    diffuse += illumination.factor *
-      optics::HenyeyGreenstein(scene.scatteringAnisotropy, cosTheta) * light.diffuse;
+    diffuse +=
+      illumination.factor * optics::HenyeyGreenstein(scene.scatteringAnisotropy, cosTheta) * light.diffuse;
     // without a normal nothing is reflected
     if (extinction.coefficient > 0.0 && extinction.normal != Vector(0.0))
     {
