@@ -98,7 +98,8 @@ double Streaks(int x, int y, int count)
   double sum = 0.0;
   for (int n = 0; n < count; ++n)
   {
-    const double place = (n + 1) / 2 * (n % 2 ? 12.5 : -12.5);
+    const int fromMiddle = (n + 1) / 2;
+    const double place = fromMiddle * (n % 2 ? 12.5 : -12.5);
     const double middle = 63.5 + place + 6.0 * std::sin(y / 18.0 + n);
     const double across = (x - middle) / 2.0;
     const double along = (y - 63.5) / 45.0;
