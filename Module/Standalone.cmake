@@ -77,6 +77,7 @@ if (VOLUMEOPTICS_WRAP_PYTHON AND TARGET VTK::WrappingPythonCore)
 endif ()
 add_subdirectory(Module/Plugin)
 include(Module/Package.cmake)
+add_subdirectory(Examples)
 
 if (BUILD_TESTING)
   include(Testing/Standalone.cmake)
