@@ -147,13 +147,23 @@ double Dissimilarity(double varianceR, double varianceP, double covariance, doub
   return std::max(sum / 2.0, 0.0);
 }
 
-Plane DissimilarityMap(const Plane& reference, const Plane& picture, double homogeneityWeight)
+// Steps of DissimilarityMap() that take time; `advance` is called after each.
+const int StepsOfMap = 5;
+
+template <class Advance>
+Plane DissimilarityMap(
+  const Plane& reference, const Plane& picture, double homogeneityWeight, Advance advance)
 {
   const Plane meanR = Smooth(reference, GaussianWindow());
+  advance();
   const Plane meanP = Smooth(picture, GaussianWindow());
+  advance();
   const Plane varianceR = Covariance(reference, meanR, reference, meanR);
+  advance();
   const Plane varianceP = Covariance(picture, meanP, picture, meanP);
+  advance();
   Plane map = Covariance(reference, meanR, picture, meanP);
+  advance();
   for (size_t i = 0; i < map.values.size(); ++i)
   {
     map.values[i] =
@@ -270,10 +280,34 @@ int vtkStructuralDissimilarity::RequestData(
   {
     return 0;
   }
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  output->SetExtent(referenceImage->GetExtent());
+  output->AllocateScalars(VTK_DOUBLE, 1);
+  vtkDataArray* scalars = output->GetPointData()->GetScalars();
+  scalars->SetName("StructuralDissimilarity");
+  scalars->Fill(0.0);
+  auto* values = static_cast<double*>(output->GetScalarPointer());
+  this->ComputeMap(referenceImage, pictureImage, values);
+  if (!this->GetAbortExecute())
+  {
+    const auto count = scalars->GetNumberOfTuples();
+    this->Score = std::accumulate(values, values + count, 0.0) / static_cast<double>(count);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkStructuralDissimilarity::ComputeMap(
+  vtkImageData* referenceImage, vtkImageData* pictureImage, double* values)
+{
   Plane reference = Luminance(referenceImage);
   Plane picture = Luminance(pictureImage);
-  Plane map(reference.width, reference.height);
+  Plane roots(reference.width, reference.height);
   double weights = 0.0;
+  int steps = 0;
+  auto advance = [this, &steps]() {
+    this->UpdateProgress(++steps / static_cast<double>(StepsOfMap * this->NumberOfScales));
+  };
   for (int scale = 0; scale < this->NumberOfScales && !this->GetAbortExecute(); ++scale)
   {
     if (scale > 0)
@@ -285,24 +319,14 @@ int vtkStructuralDissimilarity::RequestData(
       reference = HalfSize(reference);
       picture = HalfSize(picture);
     }
-    const Plane dissimilarity = DissimilarityMap(reference, picture, this->HomogeneityWeight);
-    AccumulateRoots(map, dissimilarity, 1 << scale, ScaleWeights[scale]);
+    const Plane map = DissimilarityMap(reference, picture, this->HomogeneityWeight, advance);
+    AccumulateRoots(roots, map, 1 << scale, ScaleWeights[scale]);
     weights += ScaleWeights[scale];
-    this->UpdateProgress((scale + 1.0) / this->NumberOfScales);
   }
-
-  vtkImageData* output = vtkImageData::GetData(outputs);
-  output->SetExtent(referenceImage->GetExtent());
-  output->AllocateScalars(VTK_DOUBLE, 1);
-  output->GetPointData()->GetScalars()->SetName("StructuralDissimilarity");
-  auto* values = static_cast<double*>(output->GetScalarPointer());
-  std::transform(
-    map.values.begin(), map.values.end(), values, [weights](double sum) {
-      const double root = sum / weights;
-      return root * root;
-    });
-  this->Score = std::accumulate(values, values + map.values.size(), 0.0) / map.values.size();
-  return 1;
+  std::transform(roots.values.begin(), roots.values.end(), values, [weights](double sum) {
+    const double root = weights > 0.0 ? sum / weights : 0.0;
+    return root * root;
+  });
 }
 
 //------------------------------------------------------------------------------

@@ -96,6 +96,7 @@ private:
   void operator=(const vtkStructuralDissimilarity&) = delete;
 
   bool AreComparable(vtkImageData* reference, vtkImageData* picture);
+  void ComputeMap(vtkImageData* reference, vtkImageData* picture, double* values);
 
   int NumberOfScales = 5;
   double HomogeneityWeight = 1.0;

@@ -27,6 +27,7 @@ set(filter_sources
   GaussianFilter
   ImageGrid
   LiteralSampling
+  PrincipalCurvature
   SamplePattern
   ScalarSource
   SobelStencil)

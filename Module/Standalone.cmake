@@ -53,6 +53,9 @@ vtk_module_scan(
   PROVIDES_MODULES modules
   ENABLE_TESTS     "${BUILD_TESTING}")
 
+# Before the module, because the module's tests link it.
+add_subdirectory(Testing/Reference)
+
 # vtk_module_build() adds the module's folder by its path relative to
 # CMAKE_SOURCE_DIR, which is empty for a vtk.module at the top: pretend that the
 # project is one level up.

@@ -104,10 +104,9 @@ double SmallestSpacing(const OpticsScene& scene)
   return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
-// The opacity function of the whole, per world length of ScalarOpacityUnitDistance.
 double UnitDistance(const OpticsScene& scene)
 {
-  return scene.Volume->GetProperty()->GetScalarOpacityUnitDistance();
+  return scene.Volume->GetProperty()->GetScalarOpacityUnitDistance(scene.OpacityComponent);
 }
 
 // OpenGL reads columns, VTK's matrices are rows.

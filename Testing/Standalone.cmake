@@ -39,3 +39,5 @@ add_test(NAME VolumeOpticsInstall
     -D "program=$<TARGET_FILE:VTKProgram>"
     -P "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Downstream/Install.cmake")
 set_tests_properties(VolumeOpticsInstall PROPERTIES LABELS unit)
+
+add_subdirectory(Testing/Benchmark)

@@ -6,6 +6,8 @@
 #include "AnalyticFields.h"
 #include "vtkAnalyticVolumeSource.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -148,6 +150,37 @@ void TestTypes()
     Check(std::abs(middle - top / 2.0) <= 0.5, "one half in the middle");
   }
 }
+
+struct Progress
+{
+  int events = 0;
+  int abortAt = 1000;
+};
+
+void Advance(vtkObject* caller, unsigned long, void* data, void*)
+{
+  auto* progress = static_cast<Progress*>(data);
+  if (++progress->events == progress->abortAt)
+  {
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  }
+}
+
+void TestProgressAndAbort()
+{
+  for (int abortAt : { 1000, 3 })
+  {
+    Progress progress;
+    progress.abortAt = abortAt;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(Advance);
+    command->SetClientData(&progress);
+    vtkNew<vtkAnalyticVolumeSource> source;
+    source->AddObserver(vtkCommand::ProgressEvent, command);
+    source->Update();
+    Check(abortAt == 3 ? progress.events <= 5 : progress.events >= 20, "progress and abort");
+  }
+}
 }
 
 int TestAnalyticVolumeSource(int, char*[])
@@ -157,5 +190,6 @@ int TestAnalyticVolumeSource(int, char*[])
   TestRanges();
   TestPieces();
   TestTypes();
+  TestProgressAndAbort();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

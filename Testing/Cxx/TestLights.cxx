@@ -122,8 +122,8 @@ void CheckAttenuation(Verdict& verdict)
   SphereScene plain, attenuated, outside;
   plain.Add(position, true);
   attenuated.Add(position, true)->SetAttenuationValues(0.0, 0.0, 1.0);
-  outside.Add({ 3.0, -4.0, 0.0 }, true)->SetConeAngle(10.0);
-  vtkLight* spot = vtkLight::SafeDownCast(outside.Renderer->GetLights()->GetItemAsObject(0));
+  vtkLight* spot = outside.Add({ 3.0, -4.0, 0.0 }, true);
+  spot->SetConeAngle(10.0);
   spot->SetFocalPoint(6.0, -4.0, 0.0);
   const double ratio = Sum(attenuated.RenderFloat(), 1) / Sum(plain.RenderFloat(), 1);
   // the highlight lies 3.5 from the light

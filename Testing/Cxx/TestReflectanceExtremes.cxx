@@ -32,12 +32,13 @@ void Check(Verdict& verdict, const std::string& name, const Setting& setting)
     scene.Property->SetReflectanceModel(model);
     setting(scene);
     scene.Renderer->ResetCamera();
-    const std::vector<float> pixels = scene.RenderFloat();
     const std::string what = name + ", " + scene.Property->GetReflectanceModelAsString();
+    scene.Window->Render();
+    verdict.Check(glGetError() == GL_NO_ERROR, what + ": OpenGL reports an error");
+    const std::vector<float> pixels = scene.RenderFloat();
     verdict.Check(AreFinite(pixels), what + ": a pixel is not finite");
     verdict.Check(*std::min_element(pixels.begin(), pixels.end()) >= 0.0F, what + ": a pixel is below 0");
     verdict.Check(scene.Optics->GetActiveTerms() == "Reflectance", what + ": the term is not active");
-    verdict.Check(glGetError() == GL_NO_ERROR, what + ": OpenGL reports an error");
   }
 }
 

@@ -18,13 +18,13 @@
 #include "vtkNew.h"
 #include "vtkOpenGLRenderer.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPixelBufferObject.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
+#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ struct TestScene
     this->Mapper->SetUseJittering(0);
 
     this->Opacity->AddPoint(0.4, 0.0);
-    this->Opacity->AddPoint(0.6, 0.3);
+    this->Opacity->AddPoint(0.6, 0.9);
     this->Color->AddRGBPoint(0.0, 0.2, 0.3, 0.8);
     this->Color->AddRGBPoint(1.0, 0.9, 0.7, 0.5);
     this->Property->SetScalarOpacity(this->Opacity);
@@ -85,6 +85,7 @@ struct TestScene
   // RGBA of the renderer on a target of float, which shows what 8 bits hide.
   std::vector<float> RenderFloat()
   {
+    this->Window->Render(); // vtkFramebufferPass draws no volume in a window's first frame
     vtkNew<vtkRenderStepsPass> steps;
     vtkNew<vtkFramebufferPass> target;
     target->SetDelegatePass(steps);
@@ -93,13 +94,11 @@ struct TestScene
     renderer->SetPass(target);
     this->Window->Render();
     vtkTextureObject* texture = target->GetColorTexture();
-    vtkPixelBufferObject* buffer = texture->Download();
-    const unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
-    std::vector<float> pixels(std::size_t(4) * size[0] * size[1]);
-    vtkIdType increments[2] = { 0, 0 };
-    unsigned int dimensions[2] = { size[0], size[1] };
-    buffer->Download2D(VTK_FLOAT, pixels.data(), dimensions, 4, increments);
-    buffer->Delete();
+    std::vector<float> pixels(std::size_t(4) * texture->GetWidth() * texture->GetHeight());
+    texture->Activate();
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, pixels.data());
+
+    texture->Deactivate();
     renderer->SetPass(nullptr);
     target->ReleaseGraphicsResources(this->Window);
     return pixels;

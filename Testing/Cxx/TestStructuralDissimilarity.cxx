@@ -6,7 +6,10 @@
 #include "AnalyticFields.h"
 #include "vtkStructuralDissimilarity.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -245,6 +248,41 @@ void TestMap()
   const double near = map->GetScalarComponentAsDouble(115, 60, 0, 0);
   Check(near > 0.05 && far < 0.01 * near, "the map shows where something was added");
 }
+
+void Count(vtkObject*, unsigned long, void* count, void*)
+{
+  ++*static_cast<int*>(count);
+}
+
+// Pictures of different size: an error, and no score.
+void TestErrors()
+{
+  int errors = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetCallback(Count);
+  counter->SetClientData(&errors);
+  vtkNew<vtkStructuralDissimilarity> measure;
+  measure->AddObserver(vtkCommand::ErrorEvent, counter);
+  measure->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, counter);
+  measure->SetReferenceData(MakeImage(Flat, 8, 8));
+  measure->SetPictureData(MakeImage(Flat, 8, 9));
+  measure->Update();
+  Check(errors > 0 && measure->GetScore() == -1.0, "pictures of different size are an error");
+}
+
+void TestProgress()
+{
+  int events = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetCallback(Count);
+  counter->SetClientData(&events);
+  vtkNew<vtkStructuralDissimilarity> measure;
+  measure->AddObserver(vtkCommand::ProgressEvent, counter);
+  measure->SetReferenceData(MakeImage(Ramp));
+  measure->SetPictureData(MakeImage(Texture));
+  measure->Update();
+  Check(events >= 20, "progress is told");
+}
 }
 
 int TestStructuralDissimilarity(int, char*[])
@@ -255,5 +293,7 @@ int TestStructuralDissimilarity(int, char*[])
   TestRange();
   TestSizesAndTypes();
   TestMap();
+  TestErrors();
+  TestProgress();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

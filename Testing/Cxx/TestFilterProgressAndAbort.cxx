@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// At least 20 progress events from the calling thread, rising from 0 to 1; an abort is honoured
+// within 0.2 s at 256^3, whatever the sampling.
+
+#include "FilterTesting.h"
+#include "vtkAmbientCovarianceFilter.h"
+#include "vtkCallbackCommand.h"
+#include "vtkPrincipalCurvatureFilter.h"
+#include "vtkSobelNormalFilter.h"
+
+#include <chrono>
+#include <thread>
+
+namespace
+{
+double Seconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+struct Watch
+{
+  int Events = 0;
+  double Last = 0.0;
+  bool Rises = true;
+  bool OnOwnThread = true;
+  std::thread::id Thread = std::this_thread::get_id();
+  double AbortAt = 2.0; // progress
+  double AbortTime = 0.0;
+  double AbortAfter = 1.0e9; // seconds from Start
+  double Start = Seconds();
+};
+
+void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
+{
+  auto* filter = vtkAlgorithm::SafeDownCast(caller);
+  auto* watch = static_cast<Watch*>(data);
+  const double progress = filter->GetProgress();
+  ++watch->Events;
+  watch->Rises = watch->Rises && progress >= watch->Last;
+  watch->Last = progress;
+  watch->OnOwnThread = watch->OnOwnThread && std::this_thread::get_id() == watch->Thread;
+  const bool isTime = progress >= watch->AbortAt || Seconds() - watch->Start > watch->AbortAfter;
+  if (isTime && watch->AbortTime == 0.0)
+  {
+    watch->AbortTime = Seconds();
+    filter->AbortExecuteOn();
+  }
+}
+
+void Observe(vtkAlgorithm* filter, Watch& watch)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(OnProgress);
+  command->SetClientData(&watch);
+  filter->RemoveObservers(vtkCommand::ProgressEvent);
+  filter->AddObserver(vtkCommand::ProgressEvent, command);
+}
+
+void CheckProgress(vtkOpticsImageFilter* filter, vtkImageData* image, testing::Report& report)
+{
+  const std::string name = filter->GetClassName();
+  Watch watch;
+  Observe(filter, watch);
+  filter->SetInputData(image);
+  filter->Update();
+  report.CheckAtLeast(watch.Events, 20, name + ": progress events");
+  report.Check(watch.Rises && watch.Last == 1.0, name + ": progress rises to 1");
+  report.Check(watch.OnOwnThread, name + ": progress comes from the calling thread");
+}
+
+// The longest time between two events bounds the wait for an abort at any time.
+void CheckAbort(vtkOpticsImageFilter* filter, vtkImageData* image, const std::string& setting,
+  testing::Report& report)
+{
+  const std::string name = std::string(filter->GetClassName()) + " " + setting;
+  Watch watch;
+  watch.AbortAfter = 0.3;
+  Observe(filter, watch);
+  filter->SetInputData(image);
+  filter->Update();
+  const double waited = Seconds() - watch.AbortTime;
+  report.Check(watch.AbortTime > 0.0, name + ": was aborted");
+  report.CheckAtMost(waited, 0.2, name + ": seconds from the abort to the end");
+  report.Check(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, name + ": no array is left");
+  filter->AbortExecuteOff();
+}
+}
+
+int TestFilterProgressAndAbort(int, char*[])
+{
+  testing::Report report;
+  testing::Geometry small;
+  small.Extent = { 0, 63, 0, 63, 0, 63 };
+  const testing::Field field = [](const glm::dvec3& p) { return testing::Noise(p); };
+  const auto smallImage = testing::MakeImage(small, field);
+  vtkNew<vtkSobelNormalFilter> sobel;
+  vtkNew<vtkAmbientCovarianceFilter> covariance;
+  vtkNew<vtkPrincipalCurvatureFilter> curvature;
+  CheckProgress(sobel, smallImage, report);
+  CheckProgress(covariance, smallImage, report);
+  CheckProgress(curvature, smallImage, report);
+
+  testing::Geometry large;
+  large.Extent = { 0, 255, 0, 255, 0, 255 };
+  const auto image = testing::MakeImage(large, [](const glm::dvec3& p) { return p.x * p.y - p.z; });
+  CheckAbort(sobel, image, "", report);
+  CheckAbort(curvature, image, "", report);
+  covariance->SetRadius(30.0);
+  for (int pattern = vtkAmbientCovarianceFilter::Shared; pattern <= vtkAmbientCovarianceFilter::Exhaustive; ++pattern)
+  {
+    covariance->SetSamplingPattern(pattern);
+    CheckAbort(covariance, image, covariance->GetSamplingPatternAsString(), report);
+  }
+  covariance->SetSamplingPatternToShared();
+  covariance->SetNumberOfSamples(10000);
+  covariance->SetSampleInterpolationToLinear();
+  CheckAbort(covariance, image, "10000 linear samples", report);
+  return report.ExitCode();
+}
