@@ -46,15 +46,9 @@ bool AnisotropyOf(const glm::dvec3& tangentCovariance, glm::dvec2& anisotropy)
   return true;
 }
 
-void CodeOrMeanOfNeighbours(const VoxelBox<float>& codes, int x, int y, int z, float* code)
+void MeanOfNeighbours(const VoxelBox<float>& codes, int x, int y, int z, float* code)
 {
   const int components = codes.GetComponents();
-  const float* own = codes.At(x, y, z);
-  if (!std::isnan(own[0]))
-  {
-    std::copy(own, own + components, code);
-    return;
-  }
   const Extent around = Grown({ x, x, y, y, z, z }, { 1, 1, 1 }, codes.GetBox());
   double sums[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
   int count = 0;
@@ -76,15 +70,5 @@ void CodeOrMeanOfNeighbours(const VoxelBox<float>& codes, int x, int y, int z, f
   }
   std::transform(sums, sums + components, code,
     [count](double sum) { return static_cast<float>(sum / std::max(count, 1)); });
-}
-
-float RoundedToBits(float value, int bits)
-{
-  if (bits >= 32)
-  {
-    return value;
-  }
-  const float largest = bits == 8 ? 127.0f : 32767.0f;
-  return std::round(std::clamp(value, -1.0f, 1.0f) * largest) / largest;
 }
 }

@@ -17,7 +17,7 @@ VoxelBox<double> WithWeights(const VoxelBox<double>& values)
 {
   const Extent& box = values.GetBox();
   const int components = values.GetComponents();
-  VoxelBox<double> weighted(box, components + 1, 0, 0, 0.0);
+  VoxelBox<double> weighted(box, components + 1, 0, 0.0);
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)
@@ -57,7 +57,7 @@ VoxelBox<double> GaussianFilter::ApplyAlong(
   const Extent& source = weighted.GetBox();
   const int components = weighted.GetComponents();
   const std::size_t length = static_cast<std::size_t>(box[1] - box[0] + 1) * components;
-  VoxelBox<double> means(box, components, 0, 0, 0.0);
+  VoxelBox<double> means(box, components, 0, 0.0);
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)
@@ -98,7 +98,7 @@ VoxelBox<double> GaussianFilter::Apply(
   sums = this->ApplyAlong(1, sums, alongY);
   sums = this->ApplyAlong(2, sums, box);
   const int components = values.GetComponents();
-  VoxelBox<double> means(box, components, components, components, NoValue<double>());
+  VoxelBox<double> means(box, components, components, NoValue<double>());
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)

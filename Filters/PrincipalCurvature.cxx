@@ -12,6 +12,8 @@ namespace volumeoptics
 {
 namespace
 {
+const double NegligibleCurvature = 1.0e-4;
+
 double Value(const VoxelBox<double>& scalars, const glm::ivec3& place)
 {
   return scalars.HasRow(place.y, place.z) ? *scalars.At(place.x, place.y, place.z)
@@ -67,7 +69,7 @@ glm::dvec2 AnisotropyOfCurvature(const glm::dvec3& k)
   const double mean = k.x / 2.0 + k.z / 2.0;
   const glm::dvec2 deviation(k.x / 2.0 - k.z / 2.0, k.y);
   const double length = std::hypot(deviation.x, deviation.y);
-  const double larger = std::max(std::abs(mean), length);
+  const double larger = std::max(std::abs(mean), length) + NegligibleCurvature;
   if (!(length > 0.0) || !std::isfinite(larger))
   {
     return glm::dvec2(0.0);

@@ -22,6 +22,8 @@ glm::dvec3 TangentCurvature(const glm::dvec3& normal, double magnitude, const gl
 // Highlights run along the direction of the smaller |k|. Strength (|k1| - |k2|)/(|k1| + |k2|) for
 // |k1| >= |k2|: 1 on a cylinder, 0 on a sphere, a plane and a symmetric saddle. With the mean m
 // and the deviation d of the two curvatures m + |d|, m - |d| it is min(|m|, |d|)/max(|m|, |d|).
+// tangentCurvature: per voxel. Curvatures far below 1e-4, a radius of 10,000 voxels, are rounding
+// errors of a plane and fade out.
 glm::dvec2 AnisotropyOfCurvature(const glm::dvec3& tangentCurvature);
 }
 

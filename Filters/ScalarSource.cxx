@@ -126,7 +126,7 @@ void ScalarSource::ReadResampledRow(int x0, int x1, int y, int z, double* values
 
 VoxelBox<double> ScalarSource::LoadUnsmoothed(const Extent& box) const
 {
-  VoxelBox<double> scalars(box, 1, 1, 1, NoValue<double>());
+  VoxelBox<double> scalars(box, 1, 1, NoValue<double>());
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)

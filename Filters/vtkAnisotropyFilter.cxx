@@ -47,7 +47,7 @@ bool vtkAnisotropyFilter::ComputeArrays(const volumeoptics::ImageGrid& grid,
   const int components =
     volumeoptics::NumberOfCodeComponents(static_cast<volumeoptics::Storage>(this->Storage));
   volumeoptics::VoxelBox<float> codes(volumeoptics::Grown(extent, { 1, 1, 1 }, grid.Whole),
-    components, 0, 0, volumeoptics::NoValue<float>());
+    components, 0);
   if (!this->ComputeCodes(grid, rows, inputs, batches, codes))
   {
     return false;

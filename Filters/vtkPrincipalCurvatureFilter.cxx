@@ -26,6 +26,7 @@ void StoreTile(const volumeoptics::ImageGrid& grid, const volumeoptics::ScalarSo
     for (int y = tile[2]; y <= tile[3]; ++y)
     {
       const glm::dvec3* gradient = gradients.Row(y, z);
+      codes.SetRow(y, z, volumeoptics::NoValue<float>());
       for (int x = tile[0]; x <= tile[1]; ++x)
       {
         const volumeoptics::NormalAndMagnitude surface =
@@ -37,7 +38,7 @@ void StoreTile(const volumeoptics::ImageGrid& grid, const volumeoptics::ScalarSo
           const glm::dvec3 curvature =
             volumeoptics::TangentCurvature(surface.Normal, surface.Magnitude, hessian);
           volumeoptics::EncodeAnisotropy(storage, surface.Normal,
-            volumeoptics::AnisotropyOfCurvature(curvature), codes.At(x, y, z));
+            volumeoptics::AnisotropyOfCurvature(curvature * grid.VoxelLength), codes.At(x, y, z));
         }
       }
     }

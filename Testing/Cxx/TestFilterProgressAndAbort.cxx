@@ -10,6 +10,7 @@
 #include "vtkPrincipalCurvatureFilter.h"
 #include "vtkSobelNormalFilter.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -31,6 +32,8 @@ struct Watch
   double AbortTime = 0.0;
   double AbortAfter = 1.0e9; // seconds from Start
   double Start = Seconds();
+  double LastTime = Start;
+  double LongestGap = 0.0; // between events: the longest wait for an abort from another thread
 };
 
 void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
@@ -39,6 +42,8 @@ void OnProgress(vtkObject* caller, unsigned long, void* data, void*)
   auto* watch = static_cast<Watch*>(data);
   const double progress = filter->GetProgress();
   ++watch->Events;
+  watch->LongestGap = std::max(watch->LongestGap, Seconds() - watch->LastTime);
+  watch->LastTime = Seconds();
   watch->Rises = watch->Rises && progress >= watch->Last;
   watch->Last = progress;
   watch->OnOwnThread = watch->OnOwnThread && std::this_thread::get_id() == watch->Thread;
@@ -84,6 +89,7 @@ void CheckAbort(vtkOpticsImageFilter* filter, vtkImageData* image, const std::st
   const double waited = Seconds() - watch.AbortTime;
   report.Check(watch.AbortTime > 0.0, name + ": was aborted");
   report.CheckAtMost(waited, 0.2, name + ": seconds from the abort to the end");
+  report.CheckAtMost(watch.LongestGap, 0.2, name + ": longest seconds between looks at the abort");
   report.Check(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, name + ": no array is left");
   filter->AbortExecuteOff();
 }
