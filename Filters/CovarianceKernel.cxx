@@ -142,29 +142,29 @@ void AccumulateNearestRow(const CovarianceRow& row, const NearestSample* samples
     Centroid centroid;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector scalar = hn::LoadU(lanes, samples[i].Scalars + x);
+      const Vector scalar = hn::LoadU(lanes, row.Scalars + x + samples[i].Offset);
       centroid.Add(IsNear(scalar, centre, tolerance), samples[i].World);
     }
     Moments moments(row, x, centroid);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector scalar = hn::LoadU(lanes, samples[i].Scalars + x);
+      const Vector scalar = hn::LoadU(lanes, row.Scalars + x + samples[i].Offset);
       moments.Add(IsNear(scalar, centre, tolerance), samples[i].World);
     }
     Store(row, x, centroid, moments);
   }
 }
 
-HWY_INLINE Vector Interpolated(const LinearSample& sample, std::size_t x)
+HWY_INLINE Vector Interpolated(const LinearSample& sample, const float* scalars)
 {
   const Lanes lanes;
-  Vector even = hn::Mul(hn::LoadU(lanes, sample.Scalars[0] + x), hn::Set(lanes, sample.Weights[0]));
-  Vector odd = hn::Mul(hn::LoadU(lanes, sample.Scalars[1] + x), hn::Set(lanes, sample.Weights[1]));
+  Vector even = hn::Mul(hn::LoadU(lanes, scalars + sample.Offsets[0]), hn::Set(lanes, sample.Weights[0]));
+  Vector odd = hn::Mul(hn::LoadU(lanes, scalars + sample.Offsets[1]), hn::Set(lanes, sample.Weights[1]));
   for (int corner = 2; corner < 8; corner += 2)
   {
     even = hn::MulAdd(
-      hn::LoadU(lanes, sample.Scalars[corner] + x), hn::Set(lanes, sample.Weights[corner]), even);
-    odd = hn::MulAdd(hn::LoadU(lanes, sample.Scalars[corner + 1] + x),
+      hn::LoadU(lanes, scalars + sample.Offsets[corner]), hn::Set(lanes, sample.Weights[corner]), even);
+    odd = hn::MulAdd(hn::LoadU(lanes, scalars + sample.Offsets[corner + 1]),
       hn::Set(lanes, sample.Weights[corner + 1]), odd);
   }
   return hn::Add(even, odd);
@@ -188,7 +188,7 @@ void AccumulateLinearRow(const CovarianceRow& row, const LinearSample* samples, 
     Centroid centroid;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector difference = hn::Abs(hn::Sub(Interpolated(samples[i], x), centre));
+      const Vector difference = hn::Abs(hn::Sub(Interpolated(samples[i], row.Scalars + x), centre));
       hn::StoreU(difference, lanes, differences.data() + i * width);
       centroid.Add(hn::Le(difference, tolerance), samples[i].World);
     }

@@ -10,10 +10,27 @@
 
 namespace volumeoptics
 {
-// Second derivatives in world axes by central differences; a derivative with a neighbour missing
-// counts as 0. scalars: with NaN padding in x and neighbours as for SobelStencil. The voxel has a
-// value.
-glm::dmat3 HessianAt(const ImageGrid& grid, const VoxelBox<double>& scalars, int x, int y, int z);
+// Second derivatives in world axes of the voxels of a row, by central differences; a derivative with
+// a neighbour missing counts as 0. scalars: with NaN padding in x and neighbours as for SobelStencil.
+class HessianRow
+{
+public:
+  HessianRow(const ImageGrid& grid, const VoxelBox<double>& scalars, int y, int z);
+
+  glm::dmat3 At(int x) const;
+
+private:
+  double Value(int x, int dy, int dz) const
+  {
+    const double* row = this->Rows[4 + dy + 3 * dz];
+    return row ? row[x - this->FirstX] : NoValue<double>();
+  }
+  double SecondDifference(int x, int a, int b) const;
+
+  const ImageGrid& Grid;
+  const double* Rows[9]; // null outside
+  int FirstX;
+};
 
 // Curvature of the isosurface in the tangent basis (theta, phi): (tt, tp, pp) of the geometry tensor
 // of [Kindlmann2003], -P H P/|grad s|. normal: unit, -grad s/|grad s|.

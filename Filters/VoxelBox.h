@@ -64,6 +64,14 @@ public:
   Number* Row(int y, int z) { return this->Numbers.get() + this->RowStart(y, z); }
   const Number* Row(int y, int z) const { return this->Numbers.get() + this->RowStart(y, z); }
 
+  // Numbers from a voxel to the one at an index offset.
+  std::ptrdiff_t Offset(int dx, int dy, int dz) const
+  {
+    const std::ptrdiff_t rowsPerSlice = this->Box[3] - this->Box[2] + 1;
+    return static_cast<std::ptrdiff_t>(dx) * this->Components +
+      static_cast<std::ptrdiff_t>(this->RowLength) * (dy + rowsPerSlice * dz);
+  }
+
   Number* At(int x, int y, int z)
   {
     return this->Row(y, z) + static_cast<std::ptrdiff_t>(x - this->Box[0]) * this->Components;
