@@ -20,6 +20,7 @@ set(filter_sources
   ImageGrid.cxx
   LiteralSampling.cxx
   PrincipalCurvature.cxx
+  RangeSearch.cxx
   SamplePattern.cxx
   ScalarSource.cxx
   SobelStencil.cxx)
