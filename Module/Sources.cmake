@@ -5,32 +5,53 @@
 
 set(filter_classes
   vtkAmbientCovarianceFilter
+  vtkAnalyticVolumeSource
   vtkAnisotropyFilter
   vtkOpticsImageFilter
   vtkPrincipalCurvatureFilter
-  vtkSobelNormalFilter)
-# The filters' workings, free of VTK's conventions.
-set(filter_sources
-  AnisotropyCode.cxx
-  Batches.cxx
-  CovarianceField.cxx
-  CovarianceKernel.cxx
-  CovarianceSampler.cxx
-  GaussianFilter.cxx
-  ImageGrid.cxx
-  LiteralSampling.cxx
-  PrincipalCurvature.cxx
-  RangeSearch.cxx
-  SamplePattern.cxx
-  ScalarSource.cxx
-  SobelStencil.cxx)
+  vtkSobelNormalFilter
+  vtkStructuralDissimilarity)
 set(rendering_classes
+  vtkHeadlessRenderWindow
+  vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
+
+# C++ files that are not part of the public interface.
+set(filter_sources
+  AnisotropyCode
+  Batches
+  CovarianceField
+  CovarianceKernel
+  CovarianceSampler
+  GaussianFilter
+  ImageGrid
+  LiteralSampling
+  PrincipalCurvature
+  RangeSearch
+  SamplePattern
+  ScalarSource
+  SobelStencil)
+set(rendering_sources
+  DefaultOptics
+  FrameProvider
+  FrameTextures
+  HeadlessContext
+  HeadlessContextEGL
+  HeadlessContextOSMesa
+  LightUniforms
+  OpticsFactory
+  OpticsShaderTable
+  ReflectanceTerm
+  ScalarOpacityTexture
+  vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)
 list(TRANSFORM filter_sources PREPEND Filters/)
 list(TRANSFORM rendering_classes PREPEND Rendering/)
+list(TRANSFORM rendering_sources PREPEND Rendering/)
+list(TRANSFORM filter_sources APPEND .cxx)
+list(TRANSFORM rendering_sources APPEND .cxx)
 
 # Each GLSL file becomes a string of the same name; Module/Optics holds the
 # formulas, Rendering/glsl the text around them.
@@ -52,7 +73,7 @@ endforeach ()
 
 vtk_module_add_module(VolumeOptics::VolumeOptics
   CLASSES         ${filter_classes} ${rendering_classes}
-  SOURCES         ${sources} ${filter_sources}
+  SOURCES         ${filter_sources} ${rendering_sources} ${sources}
   PRIVATE_HEADERS ${private_headers})
 vtk_module_find_package(PRIVATE PACKAGE hwy)
 vtk_module_link(VolumeOptics::VolumeOptics PRIVATE hwy::hwy)
@@ -63,3 +84,4 @@ vtk_module_include(VolumeOptics::VolumeOptics
   PRIVATE
     "${CMAKE_CURRENT_SOURCE_DIR}/Module/Optics")
 vtk_module_compile_options(VolumeOptics::VolumeOptics PRIVATE -Wall -Wextra)
+vtk_module_link(VolumeOptics::VolumeOptics PRIVATE "$<BUILD_INTERFACE:${CMAKE_DL_LIBS}>")

@@ -9,6 +9,13 @@ endif ()
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(VOLUMEOPTICS_WRAP_PYTHON "Build the Python package volumeoptics" ON)
 
+set(VOLUMEOPTICS_SANITIZE "" CACHE STRING
+  "Sanitizers to build with, as in -fsanitize=: address,undefined")
+if (VOLUMEOPTICS_SANITIZE)
+  add_compile_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}" -fno-omit-frame-pointer)
+  add_link_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}")
+endif ()
+
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -20,11 +27,22 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}"
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 
+set(volumeoptics_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
+
+# Debian's VTK belongs to Debian's Python, which need not be the first one on PATH.
+if (NOT DEFINED Python3_EXECUTABLE AND NOT VTK_DIR)
+  execute_process(COMMAND /usr/bin/python3 -c "import vtkmodules"
+    RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+  if (result EQUAL 0)
+    set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that VTK is wrapped for")
+  endif ()
+endif ()
+
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
   RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
-  RenderingVolumeOpenGL2 TestingCore TestingRendering opengl)
+  RenderingVolumeOpenGL2 TestingCore TestingRendering jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
   OPTIONAL_COMPONENTS WrappingPythonCore Python glew glad)
 find_package(glm REQUIRED)
@@ -34,6 +52,9 @@ vtk_module_scan(
   REQUEST_MODULES  VolumeOptics::VolumeOptics
   PROVIDES_MODULES modules
   ENABLE_TESTS     "${BUILD_TESTING}")
+
+# Before the module, because the module's tests link it.
+add_subdirectory(Testing/Reference)
 
 # vtk_module_build() adds the module's folder by its path relative to
 # CMAKE_SOURCE_DIR, which is empty for a vtk.module at the top: pretend that the
@@ -48,9 +69,16 @@ vtk_module_build(
   VERSION             "${PROJECT_VERSION}"
   SOVERSION           1
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/VolumeOptics"
-  CMAKE_DESTINATION   "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
+  CMAKE_DESTINATION   "${volumeoptics_cmake_dir}")
 set(CMAKE_SOURCE_DIR "${volumeoptics_source_dir}")
 
+if (VOLUMEOPTICS_WRAP_PYTHON AND TARGET VTK::WrappingPythonCore)
+  include(Module/Python.cmake)
+endif ()
+add_subdirectory(Module/Plugin)
+include(Module/Package.cmake)
+add_subdirectory(Examples)
+
 if (BUILD_TESTING)
-  add_subdirectory(Testing/Benchmark)
+  include(Testing/Standalone.cmake)
 endif ()

@@ -3,12 +3,351 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
+#include "DefaultOptics.h"
+#include "OpticsFactory.h"
+#include "ReflectanceTerm.h"
+#include "vtkAmbientCovarianceFilter.h"
+#include "vtkOpticsShaderPass.h"
+#include "vtkOpticsVolumeProperty.h"
+#include "vtkPrincipalCurvatureFilter.h"
+#include "vtkSobelNormalFilter.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
+#include "vtkTrivialProducer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeInputHelper.h"
+#include "vtkVolumeTexture.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
 
 vtkStandardNewMacro(vtkOpticsVolumeMapper);
+
+class vtkOpticsVolumeMapper::Implementation
+{
+public:
+  vtkOpticsVolumeProperty* FindOptics(vtkVolume* volume);
+  OpticsScene GetScene(vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+  std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
+
+  ReflectanceTerm Reflectance;
+  std::vector<OpticsTerm*> All = { &this->Reflectance };
+  vtkNew<vtkOpticsShaderPass> Pass;
+  vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
+  std::set<std::string> Said;
+  std::string ActiveTerms;
+};
+
+namespace
+{
+// Opacity depends on the first component, or on the last one where the components belong together.
+int OpacityComponent(vtkDataArray* scalars, vtkVolumeProperty* property)
+{
+  const int components = scalars->GetNumberOfComponents();
+  return components == 1 || property->GetIndependentComponents() ? 0 : components - 1;
+}
+
+FrameProvider::Connection OutputOf(vtkAlgorithmOutput* output)
+{
+  return output ? FrameProvider::Connection{ output->GetProducer(), output->GetIndex() }
+                : FrameProvider::Connection();
+}
+
+FrameProvider::Connection OutputOf(vtkImageData* image)
+{
+  if (!image)
+  {
+    return FrameProvider::Connection();
+  }
+  auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
+  producer->SetOutput(image);
+  return FrameProvider::Connection{ producer, 0 };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::Implementation::FindOptics(vtkVolume* volume)
+{
+  if (auto* own = vtkOpticsVolumeProperty::SafeDownCast(volume->GetProperty()))
+  {
+    return own;
+  }
+  return this->Optics ? this->Optics.Get() : DefaultOptics::Get();
+}
+
+//------------------------------------------------------------------------------
+OpticsScene vtkOpticsVolumeMapper::Implementation::GetScene(
+  vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  OpticsScene scene = {};
+  scene.Mapper = mapper;
+  scene.Renderer = renderer;
+  scene.Volume = volume;
+  scene.Optics = this->FindOptics(volume);
+  scene.Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int cellFlag = 0;
+  scene.Scalars = GetScalars(mapper->GetDataSetInput(), mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+    mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  scene.CellScalars = cellFlag == 1;
+  scene.OpacityComponent = scene.Scalars ? OpacityComponent(scene.Scalars, volume->GetProperty()) : 0;
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const OpticsScene& scene)
+{
+  std::vector<OpticsTerm*> active;
+  this->ActiveTerms.clear();
+  if (!scene.Optics || !scene.Scalars || !scene.Window)
+  {
+    return active;
+  }
+  OpticsFeatures features;
+  for (OpticsTerm* term : this->All)
+  {
+    if (term->IsActive(scene) && term->Prepare(scene))
+    {
+      term->AddFeatures(scene, features);
+      active.push_back(term);
+      this->ActiveTerms += (this->ActiveTerms.empty() ? "" : ",") + std::string(term->GetName());
+    }
+    else
+    {
+      term->ReleaseGraphicsResources(scene.Window);
+    }
+  }
+  this->Pass->SetFeatures(features);
+  return active;
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeMapper::vtkOpticsVolumeMapper()
+  : Terms(new Implementation)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeMapper::~vtkOpticsVolumeMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
+{
+  renderer->GetRenderWindow()->MakeCurrent();
+  const OpticsScene scene = this->Terms->GetScene(this, renderer, volume);
+  const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
+  if (active.empty())
+  {
+    this->Superclass::GPURender(renderer, volume);
+    return;
+  }
+  this->Terms->Pass->Attach(scene, active);
+  this->Superclass::GPURender(renderer, volume);
+  this->Terms->Pass->Detach();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  for (OpticsTerm* term : this->Terms->All)
+  {
+    term->ReleaseGraphicsResources(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetOptics(vtkOpticsVolumeProperty* optics)
+{
+  if (this->Terms->Optics != optics)
+  {
+    this->Terms->Optics = optics;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::GetOptics()
+{
+  return this->Terms->Optics;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetNormalsInputConnection(vtkAlgorithmOutput* output)
+{
+  this->Terms->Reflectance.Frames.NormalsInput = OutputOf(output);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetNormalsInputData(vtkImageData* normals)
+{
+  this->Terms->Reflectance.Frames.NormalsInput = OutputOf(normals);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetAnisotropyInputConnection(vtkAlgorithmOutput* output)
+{
+  this->Terms->Reflectance.Frames.AnisotropyInput = OutputOf(output);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
+{
+  this->Terms->Reflectance.Frames.AnisotropyInput = OutputOf(anisotropy);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
+{
+  return this->Terms->Reflectance.Frames.Sobel;
+}
+
+//------------------------------------------------------------------------------
+vtkAmbientCovarianceFilter* vtkOpticsVolumeMapper::GetAmbientCovarianceFilter()
+{
+  return this->Terms->Reflectance.Frames.Covariance;
+}
+
+//------------------------------------------------------------------------------
+vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter()
+{
+  return this->Terms->Reflectance.Frames.Curvature;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
+{
+  if (bits != 8 && bits != 16 && bits != 32)
+  {
+    vtkWarningMacro(<< "FramePrecision " << bits << " is none of 8, 16, 32; it stays " << this->FramePrecision
+                    << ".");
+    return;
+  }
+  if (bits != this->FramePrecision)
+  {
+    this->FramePrecision = bits;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetExtinctionGradientAsString()
+{
+  return this->ExtinctionGradient == Stored ? "Stored" : "CentralDifferences";
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetQuality(int quality)
+{
+  this->Quality = std::clamp(quality, static_cast<int>(Custom), static_cast<int>(Reference));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetQualityAsString()
+{
+  const char* const names[] = { "Custom", "Draft", "Balanced", "Reference" };
+  return names[this->Quality];
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOpticsVolumeMapper::GetActiveTerms()
+{
+  return this->Terms->ActiveTerms;
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkOpticsVolumeMapper::GetTermMemorySize()
+{
+  std::size_t bytes = 0;
+  for (OpticsTerm* term : this->Terms->All)
+  {
+    bytes += term->GetMemorySize();
+  }
+  return static_cast<unsigned long>((bytes + 1023) / 1024);
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetProgramLinkCount()
+{
+  return this->Terms->Pass->GetProgramLinkCount();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOpticsVolumeMapper::GetFragmentShader()
+{
+  return this->Terms->Pass->GetFragmentShader();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::Say(const std::string& message)
+{
+  if (this->Terms->Said.insert(message).second)
+  {
+    vtkWarningMacro(<< message);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpticsVolumeMapper::IsInteractive(vtkRenderer* renderer)
+{
+  vtkRenderWindowInteractor* interactor = renderer->GetRenderWindow()->GetInteractor();
+  return interactor && interactor->GetInteractorStyle() &&
+    renderer->GetRenderWindow()->GetDesiredUpdateRate() > interactor->GetStillUpdateRate();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
+{
+  const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
+  range[0] = loaded[0];
+  range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetGlobalOverride(bool enabled)
+{
+  OpticsFactory::SetEnabled("vtkGPUVolumeRayCastMapper", enabled);
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpticsVolumeMapper::GetGlobalOverride()
+{
+  return OpticsFactory::GetEnabled("vtkGPUVolumeRayCastMapper");
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetDefaultOptics(vtkOpticsVolumeProperty* property)
+{
+  DefaultOptics::Set(property);
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::GetDefaultOptics()
+{
+  return DefaultOptics::Get();
+}
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Optics: " << this->Terms->Optics.Get() << "\n";
+  os << indent << "FrameResolutionFactor: " << this->FrameResolutionFactor << "\n";
+  os << indent << "FramePrecision: " << this->FramePrecision << "\n";
+  os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
+  os << indent << "Quality: " << this->GetQualityAsString() << "\n";
+  os << indent << "ActiveTerms: " << this->Terms->ActiveTerms << "\n";
+  os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";
+  os << indent << "ProgramLinkCount: " << this->GetProgramLinkCount() << "\n";
 }

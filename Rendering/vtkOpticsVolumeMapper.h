@@ -3,6 +3,22 @@
 /**
  * @class vtkOpticsVolumeMapper
  * @brief VTK's GPU ray caster with the optical models of vtkOpticsVolumeProperty.
+ *
+ * Use it as vtkGPUVolumeRayCastMapper. The optical models come from the volume's property if that is
+ * a vtkOpticsVolumeProperty, else from SetOptics(). Only what the property asks for is added to the
+ * shader, bound as a texture or computed; where it asks for nothing the picture is VTK's own, byte
+ * for byte. What a model does not support (see docs/support.md) it says once, and leaves VTK's own
+ * picture.
+ *
+ * Models that need normals and tangent frames take them from the connected inputs, else from point
+ * arrays "Normals", "GradientMagnitude" and "AmbientCovariance" of the volume, else the mapper
+ * computes them with vtkSobelNormalFilter and vtkAmbientCovarianceFilter (or
+ * vtkPrincipalCurvatureFilter), once for a data set, and invokes
+ * vtkCommand::VolumeMapperComputeGradientsStartEvent, ProgressEvent (call data: double in [0, 1]) and
+ * EndEvent around it. While the user interacts, it is content with a coarse estimate; aborting the
+ * render aborts it.
+ *
+ * @sa vtkOpticsVolumeProperty
  */
 
 #ifndef vtkOpticsVolumeMapper_h
@@ -11,6 +27,16 @@
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkVolumeOpticsModule.h" // for export macro
 
+#include <memory> // for the implementation
+#include <string> // for the active terms
+
+class vtkAlgorithmOutput;
+class vtkAmbientCovarianceFilter;
+class vtkImageData;
+class vtkOpticsVolumeProperty;
+class vtkPrincipalCurvatureFilter;
+class vtkSobelNormalFilter;
+
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
 public:
@@ -18,13 +44,159 @@ public:
   vtkTypeMacro(vtkOpticsVolumeMapper, vtkOpenGLGPUVolumeRayCastMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Optical models for volumes whose property is a plain vtkVolumeProperty (that of a host program,
+   * say): of this one only what vtkOpticsVolumeProperty adds is read, the transfer functions, Shade
+   * and coefficients remain the volume's. Default none.
+   */
+  void SetOptics(vtkOpticsVolumeProperty* optics);
+  vtkOpticsVolumeProperty* GetOptics();
+  ///@}
+
+  ///@{
+  /**
+   * Whether vtkGPUVolumeRayCastMapper::New(), also inside vtkSmartVolumeMapper, gives this mapper.
+   * Default off.
+   */
+  static void SetGlobalOverride(bool enabled);
+  static bool GetGlobalOverride();
+  ///@}
+
+  ///@{
+  /**
+   * The optics of volumes whose property is a plain vtkVolumeProperty and whose mapper was given
+   * none. Default null: VTK's own model.
+   */
+  static void SetDefaultOptics(vtkOpticsVolumeProperty* property);
+  static vtkOpticsVolumeProperty* GetDefaultOptics();
+  ///@}
+
+  ///@{
+  /**
+   * Normals computed elsewhere: an image with float point arrays "Normals" (3 components, unit, world
+   * axes) and "GradientMagnitude" (per world length). Default none.
+   */
+  void SetNormalsInputConnection(vtkAlgorithmOutput* output);
+  void SetNormalsInputData(vtkImageData* normals);
+  ///@}
+
+  ///@{
+  /**
+   * Tangent frames computed elsewhere: an image with a float point array "AmbientCovariance" on the
+   * grid of the normals. Default none.
+   */
+  void SetAnisotropyInputConnection(vtkAlgorithmOutput* output);
+  void SetAnisotropyInputData(vtkImageData* anisotropy);
+  ///@}
+
+  ///@{
+  /**
+   * The filters that the mapper runs itself; set their parameters (radius, samples, ...) here. Their
+   * inputs, components and resolution factors are the mapper's.
+   */
+  vtkSobelNormalFilter* GetSobelNormalFilter();
+  vtkAmbientCovarianceFilter* GetAmbientCovarianceFilter();
+  vtkPrincipalCurvatureFilter* GetPrincipalCurvatureFilter();
+  ///@}
+
+  ///@{
+  /**
+   * Voxels of the grid of normals and frames per voxel of the volume on each axis, in [0.0625, 1].
+   * Default 1. Less takes less time and memory (to the third power). Lowered, with one message, where
+   * normals and frames would exceed MaxMemoryInBytes * MaxMemoryFraction.
+   */
+  vtkGetMacro(FrameResolutionFactor, double);
+  vtkSetClampMacro(FrameResolutionFactor, double, 0.0625, 1.0);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of the normals and frames on the GPU: 8, 16 or 32 (float). Default 8.
+   */
+  vtkGetMacro(FramePrecision, int);
+  void SetFramePrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
+   * How the gradient of the classified extinction is found: along the stored normal, by two look-ups
+   * in the opacity table; or by central differences of the classified opacity, six fetches of the
+   * volume more. Opacities that depend on more than the scalar (gradient opacity, 2D transfer
+   * functions) take central differences in any case. Default Stored.
+   */
+  enum ExtinctionGradientType
+  {
+    Stored = 0,
+    CentralDifferences
+  };
+  vtkGetMacro(ExtinctionGradient, int);
+  vtkSetClampMacro(ExtinctionGradient, int, Stored, CentralDifferences);
+  void SetExtinctionGradientToStored() { this->SetExtinctionGradient(Stored); }
+  void SetExtinctionGradientToCentralDifferences() { this->SetExtinctionGradient(CentralDifferences); }
+  const char* GetExtinctionGradientAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
+   * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
+   * VTK's sample distance included; setting a knob after a preset keeps the others.
+   */
+  enum QualityType
+  {
+    Custom = 0,
+    Draft,
+    Balanced,
+    Reference
+  };
+  vtkGetMacro(Quality, int);
+  void SetQuality(int quality);
+  void SetQualityToCustom() { this->SetQuality(Custom); }
+  void SetQualityToDraft() { this->SetQuality(Draft); }
+  void SetQualityToBalanced() { this->SetQuality(Balanced); }
+  void SetQualityToReference() { this->SetQuality(Reference); }
+  const char* GetQualityAsString();
+  ///@}
+
+  /** Names of the terms in the last frame, separated by commas; empty: VTK's own picture. */
+  std::string GetActiveTerms();
+
+  /** Textures that the terms hold, in KiB. */
+  unsigned long GetTermMemorySize();
+
+  /** Shader programs that frames with active terms were drawn with, each linked once. */
+  int GetProgramLinkCount();
+
+  /** Fragment shader composed last with active terms; empty before. For inspection and tests. */
+  std::string GetFragmentShader();
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+#ifndef __VTK_WRAP__
+  // For the terms.
+  void Say(const std::string& message); // as a warning, once
+  bool IsInteractive(vtkRenderer* renderer);
+  void GetLoadedScalarRange(int component, double range[2]);
+#endif
+
 protected:
-  vtkOpticsVolumeMapper() = default;
-  ~vtkOpticsVolumeMapper() override = default;
+  vtkOpticsVolumeMapper();
+  ~vtkOpticsVolumeMapper() override;
+
+  void GPURender(vtkRenderer* renderer, vtkVolume* volume) override;
 
 private:
   vtkOpticsVolumeMapper(const vtkOpticsVolumeMapper&) = delete;
   void operator=(const vtkOpticsVolumeMapper&) = delete;
+
+  double FrameResolutionFactor = 1.0;
+  int FramePrecision = 8;
+  int ExtinctionGradient = Stored;
+  int Quality = Custom;
+
+  class Implementation;
+  std::unique_ptr<Implementation> Terms;
 };
 
 #endif

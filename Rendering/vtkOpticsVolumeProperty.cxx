@@ -32,8 +32,8 @@ double vtkOpticsVolumeProperty::WithinRange(
 {
   if (std::isnan(value))
   {
-    vtkWarningMacro(<< name << " is not a number; it stays " << current << ". Its range is [" << least
-                    << ", " << largest << "].");
+    vtkWarningMacro(<< name << " is not a number; it stays " << current << ". Its range is [" << least << ", "
+                    << largest << "].");
     return current;
   }
   const double nearest = std::clamp(value, least, largest);
@@ -102,8 +102,7 @@ void vtkOpticsVolumeProperty::SetAnisotropyScale(int model, double scale)
                     << " has none. Choose Ward or Lafortune first, or name one of them.");
     return;
   }
-  const double value =
-    this->WithinRange("AnisotropyScale", scale, 0.0, 1.0e4, this->AnisotropyScale[model]);
+  const double value = this->WithinRange("AnisotropyScale", scale, 0.0, 1.0e4, this->AnisotropyScale[model]);
   if (value != this->AnisotropyScale[model])
   {
     this->AnisotropyScale[model] = value;
@@ -168,8 +167,7 @@ void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
   }
   this->ReflectanceModel = optics->ReflectanceModel;
   std::copy(std::begin(optics->Glossiness), std::end(optics->Glossiness), this->Glossiness);
-  std::copy(
-    std::begin(optics->AnisotropyScale), std::end(optics->AnisotropyScale), this->AnisotropyScale);
+  std::copy(std::begin(optics->AnisotropyScale), std::end(optics->AnisotropyScale), this->AnisotropyScale);
   this->SpecularFromExtinction = optics->SpecularFromExtinction;
   this->FrameSource = optics->FrameSource;
   this->PhaseAnisotropy = optics->PhaseAnisotropy;

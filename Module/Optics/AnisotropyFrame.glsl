@@ -26,11 +26,15 @@ struct AnisotropyFrame
   float logRatio; // ln(l2 / l1) >= 0
 };
 
+// Lengths below this count as 0: their squares are no longer exact in float, and a direction that is
+// divided by such a length would not be a unit vector.
+const float SmallestLength = 1.0e-16;
+
 // Cosine and sine of the azimuth; (1, 0) at the poles, as [Ament2015] chooses.
 vec2 Azimuth(vec3 normal)
 {
   float rho = sqrt(normal.x * normal.x + normal.y * normal.y);
-  return rho > 0.0 ? vec2(normal.x / rho, normal.y / rho) : vec2(1.0, 0.0);
+  return rho > SmallestLength ? vec2(normal.x / rho, normal.y / rho) : vec2(1.0, 0.0);
 }
 
 // normal: unit.
@@ -60,7 +64,8 @@ TangentBasis SquaredBasis(vec3 normal)
   return basis;
 }
 
-// Map: three numbers in [-1, 1], continuous in the normal everywhere.
+// Map: three numbers in [-1, 1], continuous in the normal everywhere. They belong to the normal's
+// sign: for -normal the same directions in space have the code (-x, -y, z).
 vec3 EncodeMap(vec3 normal, vec2 anisotropy)
 {
   TangentBasis image = SquaredBasis(normal);
@@ -142,10 +147,15 @@ float LogRatio(float strength)
 AnisotropyFrame EigenFrame(vec3 normal, vec2 anisotropy)
 {
   float strength = sqrt(anisotropy.x * anisotropy.x + anisotropy.y * anisotropy.y);
-  float cosTwice = strength > 0.0 ? anisotropy.x / strength : 1.0;
-  float cosine = sqrt(max(0.5 + 0.5 * cosTwice, 0.0));
-  float sine = sqrt(max(0.5 - 0.5 * cosTwice, 0.0));
-  if (anisotropy.y < 0.0)
+  float cosTwice = strength > SmallestLength ? anisotropy.x / strength : 1.0;
+  float sinTwice = strength > SmallestLength ? anisotropy.y / strength : 0.0;
+  // the larger of cosine and sine by the root, the other by division: the root of a small difference
+  // would leave half of the digits
+  float larger = sqrt(0.5 + 0.5 * abs(cosTwice));
+  float smaller = 0.5 * abs(sinTwice) / larger;
+  float cosine = cosTwice < 0.0 ? smaller : larger;
+  float sine = cosTwice < 0.0 ? larger : smaller;
+  if (sinTwice < 0.0)
   {
     sine = -sine;
   }

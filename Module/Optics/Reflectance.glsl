@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Reflectance models. Each returns f_s max(N.L, 0), 0 where the light or the viewer is behind.
+// Reflectance models. Each returns f_s max(N.L, 0): 0 where the light is behind. Ward's is 0 where the
+// viewer is behind, too; the lobes of the others reach there, as published.
 // normal, major, minor: orthonormal; toLight, toViewer: unit, away from the point.
 
 const float Pi = 3.14159265358979323846;
 
 // Ward's roughness along the major axis ends here: ratio^gamma overflows, and a wider lobe only
-// dims (its albedo falls from .90 at .2 to .11 at 5).
+// dims (the published form's albedo at normal incidence falls from .90 at .2 to .11 at 5).
 const float LargestRoughness = 4.0;
 
 // [Blinn1977]; [Ament2015] eq. 8. exponent in [0.01, 1e5].

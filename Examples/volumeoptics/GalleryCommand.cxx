@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// volumeoptics gallery: all figures of the method on one page.
+
+#include "Commands.h"
+#include "GalleryList.h"
+#include "GalleryPage.h"
+#include "GalleryScores.h"
+#include "GalleryStudio.h"
+#include "Progress.h"
+#include "UserError.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace
+{
+const char* const DefaultCranium = "/usr/share/doc/invesalius-examples/examples/Cranium.inv3";
+
+struct GalleryOptions
+{
+  std::string Folder = "gallery";
+  std::string Cranium = DefaultCranium;
+  bool WithoutCranium = false;
+  bool WithoutScores = false;
+  bool Headless = false;
+  bool Force = false;
+};
+
+std::size_t CountPictures(const std::vector<GallerySection>& sections)
+{
+  std::size_t count = 0;
+  for (const GallerySection& section : sections)
+  {
+    count += section.Pictures.size();
+  }
+  return count;
+}
+
+void DrawSections(GalleryContents& contents, GalleryStudio& studio)
+{
+  Progress drawing("Pictures");
+  const double count = static_cast<double>(CountPictures(contents.Sections));
+  for (const GallerySection& section : contents.Sections)
+  {
+    for (const GalleryPicture& picture : section.Pictures)
+    {
+      drawing.Update(contents.Results.size() / count, section.Title + ": " + picture.Title);
+      contents.Results[picture.Name] = studio.Draw(picture.Name, picture.Field, picture.Settings);
+    }
+    drawing.Line(section.Title);
+  }
+}
+
+std::vector<ScoreRow> DrawScores(const std::vector<ScoreScene>& scenes, GalleryStudio& studio)
+{
+  Progress scoring("Scores");
+  std::size_t views = 0, done = 0;
+  for (const ScoreScene& scene : scenes)
+  {
+    views += scene.Views.size();
+  }
+  std::string last;
+  return MeasureScores(scenes, studio, [&](const std::string& scene) {
+    scoring.Update(static_cast<double>(++done) / views, scene);
+    if (scene != last)
+    {
+      scoring.Line(scene);
+      last = scene;
+    }
+  });
+}
+
+void MakeGallery(const GalleryOptions& options)
+{
+  if (!options.WithoutCranium && !std::filesystem::exists(options.Cranium))
+  {
+    throw UserError("The CT '" + options.Cranium + "' is not there. Install the package "
+      "invesalius-examples, or give --cranium FILE or --without-cranium.");
+  }
+  GalleryStudio studio(options.Folder, options.Cranium, options.Headless, options.Force);
+  GalleryContents contents;
+  contents.Sections = GalleryList(!options.WithoutCranium);
+  DrawSections(contents, studio);
+  if (!options.WithoutScores)
+  {
+    contents.Scores = DrawScores(ScoreScenes(!options.WithoutCranium), studio);
+    WriteScores(options.Folder + "/scores.csv", contents.Scores);
+  }
+  contents.Renderer = studio.GetRendererName();
+  WriteGalleryPage(options.Folder, contents);
+  Progress::Say(std::to_string(studio.GetNumberOfPicturesDrawn()) + " pictures drawn; open " +
+    options.Folder + "/index.html");
+}
+}
+
+void AddGalleryCommand(CLI::App& program)
+{
+  const auto options = std::make_shared<GalleryOptions>();
+  CLI::App* command = program.add_subcommand("gallery",
+    "Draw the gallery: a CT cranium and test fields by all models, with times and scores");
+  command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
+  command->add_option("--cranium", options->Cranium, "CT of the cranium (.inv3)")->capture_default_str();
+  command->add_flag("--without-cranium", options->WithoutCranium, "Synthetic fields only");
+  command->add_flag("--without-scores", options->WithoutScores, "Leave out the table of scores");
+  command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->add_flag("--force", options->Force, "Draw also what was drawn with the same settings");
+  command->callback([options] { MakeGallery(*options); });
+}

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "GalleryPage.h"
+
+#include "Progress.h"
+#include "UserError.h"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+const char* const Style = R"(
+:root { color-scheme: light dark; --ink: #1c2024; --dim: #667078; --line: #d8dde1; --back: #fbfbfa; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e6e8ea; --dim: #98a2aa; --line: #343b41; --back: #15181b; } }
+body { margin: 0 auto; max-width: 1680px; padding: 2rem; background: var(--back); color: var(--ink);
+  font: 16px/1.5 system-ui, sans-serif; }
+h1 { margin: 0; font-size: 2rem; font-weight: 600; }
+h2 { margin: 3rem 0 .2rem; font-size: 1.3rem; font-weight: 600; }
+p { max-width: 60rem; margin: .2rem 0 1rem; color: var(--dim); }
+nav a { margin-right: 1.2rem; color: inherit; }
+.row { display: grid; gap: 1rem; }
+figure { margin: 0; }
+img { display: block; width: 100%; border: 1px solid var(--line); border-radius: 4px; }
+figcaption { padding: .4rem 0; font-size: .85rem; color: var(--dim); }
+figcaption b { display: block; font-size: .95rem; font-weight: 600; color: var(--ink); }
+table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .25rem .9rem .25rem 0; border-bottom: 1px solid var(--line); text-align: right; }
+th:first-child, td:first-child { text-align: left; }
+.best { font-weight: 600; }
+)";
+
+std::string Number(const char* format, double value)
+{
+  char text[48];
+  std::snprintf(text, sizeof(text), format, value);
+  return text;
+}
+
+std::string SettingsText(const PictureSettings& settings)
+{
+  const OpticsSettings& optics = settings.Optics;
+  const AmbientSettings& ambient = settings.Ambient;
+  const bool anisotropic = optics.Model == "ward" || optics.Model == "lafortune";
+  std::string text = optics.Model;
+  if (optics.Glossiness >= 0.0)
+  {
+    text += Number(", kappa %g", optics.Glossiness);
+  }
+  if (anisotropic)
+  {
+    text += Number(", gamma %g", optics.Anisotropy);
+  }
+  if (anisotropic && optics.FrameSource == "covariance")
+  {
+    text += Number(", r %g", ambient.Radius) + (ambient.Pattern == "exhaustive" ? ", all voxels" : Number(", n %g", ambient.Samples)) +
+      Number(", eps %g", ambient.Tolerance);
+    text += ambient.FilterStandardDeviation > 0.0
+      ? Number(", filter %g voxels", ambient.FilterStandardDeviation)
+      : std::string();
+  }
+  return text;
+}
+
+void PutPicture(std::ostream& page, const GalleryPicture& picture, const PictureResult& result)
+{
+  page << "<figure><a href=\"" << result.File << "\"><img src=\"" << result.File << "\" alt=\""
+       << picture.Title << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
+       << SettingsText(picture.Settings) << "<br>frame " << TimeText(result.FrameSeconds);
+  if (result.PreparationSeconds > 0.0)
+  {
+    page << ", normals and covariance " << TimeText(result.PreparationSeconds);
+  }
+  page << ", structural score " << Number("%.4f", result.Score) << "</figcaption></figure>\n";
+}
+
+void PutSection(std::ostream& page, std::size_t index, const GallerySection& section,
+  const std::map<std::string, PictureResult>& results)
+{
+  page << "<h2 id=\"s" << index << "\">" << section.Title << "</h2>\n<p>" << section.Text << "</p>\n"
+       << "<div class=\"row\" style=\"grid-template-columns: repeat(" << section.Columns << ", 1fr)\">\n";
+  for (const GalleryPicture& picture : section.Pictures)
+  {
+    PutPicture(page, picture, results.at(picture.Name));
+  }
+  page << "</div>\n";
+}
+
+void PutScores(std::ostream& page, const std::vector<ScoreRow>& rows)
+{
+  page << "<h2 id=\"scores\">Structural score</h2>\n<p>Multi-scale homogeneity-weighted structural "
+          "dissimilarity, of each picture against the phase function alone: more is more structure. Every "
+          "view of every scene, at one setting a scene; after Table 2. The numbers are in "
+          "<a href=\"scores.csv\">scores.csv</a>.</p>\n<table><tr><th>Scene</th><th>View</th>"
+          "<th>Azimuth</th><th>Elevation</th><th>Blinn-Phong</th><th>Ward</th><th>Lafortune</th>"
+          "<th>Ward / Blinn-Phong</th><th>Lafortune / Blinn-Phong</th></tr>\n";
+  for (const ScoreRow& row : rows)
+  {
+    const auto ratio = [&](double score) {
+      return row.BlinnPhong > 0.0 ? Number("%.2f", score / row.BlinnPhong) : std::string("-");
+    };
+    page << "<tr><td>" << row.Scene << "</td><td>" << row.View << "</td><td>" << row.Camera.Azimuth
+         << "</td><td>" << row.Camera.Elevation << "</td><td>" << Number("%.4f", row.BlinnPhong)
+         << "</td><td>" << Number("%.4f", row.Ward) << "</td><td>" << Number("%.4f", row.Lafortune)
+         << "</td><td>" << ratio(row.Ward) << "</td><td>" << ratio(row.Lafortune) << "</td></tr>\n";
+  }
+  page << "</table>\n";
+}
+}
+
+void WriteGalleryPage(const std::string& folder, const GalleryContents& contents)
+{
+  std::ostringstream page;
+  page << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>VolumeOptics gallery</title>\n"
+       << "<meta name=\"viewport\" content=\"width=device-width\">\n<style>" << Style
+       << "</style></head><body>\n<h1>VolumeOptics</h1>\n<p>Anisotropic ambient shading of volumes. "
+       << "Rendered on " << contents.Renderer << ".</p>\n<nav>";
+  for (std::size_t i = 0; i < contents.Sections.size(); ++i)
+  {
+    page << "<a href=\"#s" << i << "\">" << contents.Sections[i].Title << "</a>";
+  }
+  page << "<a href=\"#scores\">Structural score</a></nav>\n";
+  for (std::size_t i = 0; i < contents.Sections.size(); ++i)
+  {
+    PutSection(page, i, contents.Sections[i], contents.Results);
+  }
+  PutScores(page, contents.Scores);
+  page << "</body></html>\n";
+  const std::string path = folder + "/index.html";
+  if (!(std::ofstream(path) << page.str()))
+  {
+    throw UserError("'" + path + "' cannot be written. Check that its folder is writable.");
+  }
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The metric's report: every view of every scene, none left out.
+
+#ifndef GalleryScores_h
+#define GalleryScores_h
+
+#include "GalleryList.h"
+#include "GalleryStudio.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+struct ScoreRow
+{
+  std::string Scene;
+  int View = 0;
+  CameraSettings Camera;
+  double BlinnPhong = 0.0, Ward = 0.0, Lafortune = 0.0;
+};
+
+// told: after each view.
+std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, GalleryStudio& studio,
+  const std::function<void(const std::string&)>& told);
+
+void WriteScores(const std::string& path, const std::vector<ScoreRow>& rows);
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Draws the gallery's pictures, and remembers what was drawn with which settings.
+
+#ifndef GalleryStudio_h
+#define GalleryStudio_h
+
+#include "PictureSettings.h"
+#include "VolumeFile.h"
+
+#include <memory>
+#include <string>
+
+class VolumeScene;
+
+struct PictureResult
+{
+  std::string File; // relative to the gallery's folder
+  double PreparationSeconds = 0.0;
+  double FrameSeconds = 0.0;
+  std::string Reference; // file of the picture with the phase function alone
+  double Score = 0.0;
+};
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+  PictureResult, File, PreparationSeconds, FrameSeconds, Reference, Score)
+
+class GalleryStudio
+{
+public:
+  GalleryStudio(const std::string& folder, const std::string& cranium, bool headless, bool force);
+  ~GalleryStudio();
+
+  // Draws the picture and its reference, unless both are there with the same settings.
+  PictureResult Draw(const std::string& name, const std::string& field, const PictureSettings& picture);
+  // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
+  std::string GetRendererName() const;
+  int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }
+
+private:
+  PictureResult DrawOnly(const std::string& file, const std::string& field, const PictureSettings& picture);
+  VolumeScene& Stage(const std::string& field);
+  void Remember();
+
+  std::string Folder, CraniumFile;
+  bool Headless, Force;
+  std::string StagedField;
+  std::unique_ptr<VolumeScene> Staged;
+  nlohmann::json Known; // file -> { settings, result }
+  int NumberOfPicturesDrawn = 0;
+};
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PictureOptions.h"
+
+#include "Progress.h"
+#include "UserError.h"
+
+#include <vtkNamedColors.h>
+#include <vtkNew.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace
+{
+const char* const FunctionFormat = R"(
+Transfer function (JSON), values in the data's units, opacity per unitDistance of world length:
+  {"opacity": [[200, 0.0], [400, 0.9]], "color": [[200, 0.9, 0.8, 0.7], [3000, 1, 1, 1]],
+   "unitDistance": 1.0, "shade": true, "ambient": 0.1, "diffuse": 0.7, "specular": 0.4,
+   "specularPower": 20, "isolate": -400}
+Only opacity and color are required. "isolate" keeps the largest region above a value.
+Presets cranium, bone, muscle and skin expect CT in Hounsfield units.)";
+
+void AddOptics(CLI::App& command, OpticsSettings& optics)
+{
+  const auto group = "Reflectance";
+  command.add_option("--model", optics.Model, "Reflectance model")
+    ->check(CLI::IsMember({ "vtk", "none", "blinn-phong", "ward", "lafortune" }))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--glossiness", optics.Glossiness,
+      "Exponent in [0.01, 1e5] (Blinn-Phong, Lafortune; default 30) or roughness in [1e-4, 1] (Ward; "
+      "default 0.2)")
+    ->check(CLI::Range(1e-4, 1e5))
+    ->group(group);
+  command
+    .add_option("--anisotropy", optics.Anisotropy,
+      "Exponent of the eigenvalues' ratio, 0 is isotropic (Ward, Lafortune; default 10)")
+    ->check(CLI::Range(0.0, 1e4))
+    ->group(group);
+  command
+    .add_option("--scattering", optics.Scattering,
+      "Mean cosine g of the Henyey-Greenstein phase function (not by model vtk)")
+    ->check(CLI::Range(-1.0, 1.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--frame-source", optics.FrameSource, "Where the tangent frame comes from")
+    ->check(CLI::IsMember({ "covariance", "curvature" }))
+    ->capture_default_str()
+    ->group(group);
+}
+
+void AddAmbient(CLI::App& command, AmbientSettings& ambient)
+{
+  const auto group = "Ambient region (Ward, Lafortune)";
+  command.add_option("--radius", ambient.Radius, "Radius in voxels")
+    ->check(CLI::Range(0.5, 1000.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--samples", ambient.Samples, "Samples per voxel")
+    ->check(CLI::Range(3, 1000000))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--sampling", ambient.Pattern, "Pattern of the samples; exhaustive: all voxels, without noise")
+    ->check(CLI::IsMember({ "shared", "per-block", "per-voxel", "exhaustive" }))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--filter", ambient.FilterStandardDeviation,
+      "Standard deviation of a Gaussian filter of the covariance, in voxels")
+    ->check(CLI::Range(0.0, 50.0))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--tolerance", ambient.Tolerance,
+      "Half width of the interval of similar values, as a fraction of the scalar range")
+    ->check(CLI::Range(0.0, 1.0))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--resolution-factor", ambient.ResolutionFactor,
+      "Resolution of normals and covariance relative to the data")
+    ->check(CLI::Range(0.05, 1.0))
+    ->capture_default_str()
+    ->group(group);
+  command.add_option("--precision", ambient.Precision, "Bits per stored number")
+    ->check(CLI::IsMember({ 8, 16, 32 }))
+    ->capture_default_str()
+    ->group(group);
+}
+
+void AddView(CLI::App& command, PictureOptions& options)
+{
+  const auto group = "View";
+  PictureSettings& picture = options.Picture;
+  CameraSettings& camera = picture.Camera;
+  command
+    .add_option("--camera", options.CameraValues,
+      "Azimuth, elevation, roll in degrees from the front, and zoom, e.g. 35,10,0,1.2")
+    ->delimiter(',')
+    ->expected(1, 4)
+    ->group(group);
+  const auto point = [&](const char* name, std::vector<double>& where, const char* text) {
+    command.add_option(name, where, text)->delimiter(',')->expected(3)->group(group);
+  };
+  point("--position", camera.Position, "Camera in world coordinates x,y,z, instead of --camera");
+  point("--focal", camera.FocalPoint, "Focal point x,y,z; default the volume's centre");
+  point("--up", camera.ViewUp, "View up x,y,z; default 0,0,1");
+  command.add_option("--size", options.SizeText, "Width x height in pixels")
+    ->check(CLI::Validator(
+      [](const std::string& text) {
+        int width = 0, height = 0, read = 0;
+        const bool valid =
+          std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) == 2 &&
+          read == static_cast<int>(text.size()) && width > 0 && height > 0 && width <= 16384 &&
+          height <= 16384;
+        return valid ? "" : "'" + text + "' is not WIDTHxHEIGHT of 1 to 16384 pixels, e.g. 1024x768";
+      },
+      "WxH"))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--light", options.LightValues,
+      "Azimuth, elevation of the light in degrees from the camera's axis; default 0,0")
+    ->delimiter(',')
+    ->expected(2)
+    ->group(group);
+  command.add_option("--step", picture.Step, "Step along the ray, world length; default half the mean spacing")
+    ->check(CLI::PositiveNumber)
+    ->group(group);
+  command.add_option("--background", options.BackgroundText, "Name (white, black, slategray ...) or #rrggbb")
+    ->check(CLI::Validator(
+      [](const std::string& text) {
+        vtkNew<vtkNamedColors> colors;
+        return colors->ColorExists(text) || (text.size() == 7 && text[0] == '#' &&
+                 text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
+          ? std::string()
+          : "'" + text + "' is neither a colour's name nor #rrggbb";
+      },
+      "COLOR"))
+    ->capture_default_str()
+    ->group(group);
+}
+}
+
+void PictureOptions::AddTo(CLI::App& command)
+{
+  command.add_option("FILE", this->File, "Volume: .vti .mhd .mha .nrrd .nii .nii.gz .vtk .dcm, DICOM folder, .inv3")
+    ->required();
+  command.add_option("--transfer-function", this->FunctionFile, "JSON file, see below")
+    ->group("Classification");
+  command.add_option("--preset", this->PresetName, "Built-in transfer function; without one: from the histogram (.inv3: cranium)")
+    ->check(CLI::IsMember(PresetNames()))
+    ->excludes("--transfer-function")
+    ->group("Classification");
+  AddOptics(command, this->Picture.Optics);
+  AddAmbient(command, this->Picture.Ambient);
+  AddView(command, *this);
+  command.add_option("--quality", this->Picture.Quality, "Preset of time against accuracy")
+    ->check(CLI::IsMember({ "custom", "draft", "balanced", "reference" }))
+    ->capture_default_str();
+  command.footer(FunctionFormat);
+}
+
+Volume PictureOptions::Load()
+{
+  std::sscanf(this->SizeText.c_str(), "%dx%d", &this->Picture.Size[0], &this->Picture.Size[1]);
+  CameraSettings& camera = this->Picture.Camera;
+  double* const cameraValues[] = { &camera.Azimuth, &camera.Elevation, &camera.Roll, &camera.Zoom };
+  for (std::size_t i = 0; i < this->CameraValues.size(); ++i)
+  {
+    *cameraValues[i] = this->CameraValues[i];
+  }
+  if (this->LightValues.size() == 2)
+  {
+    this->Picture.Light.Azimuth = this->LightValues[0];
+    this->Picture.Light.Elevation = this->LightValues[1];
+  }
+  vtkNew<vtkNamedColors> colors;
+  const vtkColor4ub color = this->BackgroundText[0] == '#' ? colors->HTMLColorToRGBA(this->BackgroundText)
+                                                           : colors->GetColor4ub(this->BackgroundText);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Picture.Background[i] = color[i] / 255.0;
+  }
+  if (!this->FunctionFile.empty())
+  {
+    this->Picture.Function = ReadTransferFunction(this->FunctionFile);
+  }
+  Volume volume;
+  {
+    const Progress reading("Reading " + this->File);
+    volume = ReadVolume(this->File);
+  }
+  const bool project = this->File.size() > 5 && this->File.substr(this->File.size() - 5) == ".inv3";
+  if (this->FunctionFile.empty())
+  {
+    const std::string preset = this->PresetName.empty() && project ? "cranium" : this->PresetName;
+    this->Picture.Function = preset.empty() ? FromData(volume.Image) : Preset(preset);
+  }
+  if (this->Picture.Function.HasIsolate)
+  {
+    const Progress isolating("Isolating the largest region");
+    volume.Image = IsolateLargestRegion(volume.Image, this->Picture.Function.Isolate);
+  }
+  return volume;
+}

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Options of the command line that fill PictureSettings, shared by render and view.
+
+#ifndef PictureOptions_h
+#define PictureOptions_h
+
+#include "PictureSettings.h"
+#include "VolumeFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+struct PictureOptions
+{
+  PictureSettings Picture;
+  std::string File;
+  std::string FunctionFile;
+  std::string PresetName;
+  std::string SizeText = "1024x1024";
+  std::string BackgroundText = "white";
+  std::vector<double> CameraValues; // azimuth, elevation, roll, zoom
+  std::vector<double> LightValues;  // azimuth, elevation
+  bool Headless = false;
+
+  void AddTo(CLI::App& command);
+  // Reads the file and completes Picture by what depends on it. Throws UserError.
+  Volume Load();
+};
+
+#endif

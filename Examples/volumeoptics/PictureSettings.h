@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// All that makes one picture of a volume; its JSON is the key of the gallery's cache.
+
+#ifndef PictureSettings_h
+#define PictureSettings_h
+
+#include "TransferFunction.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+struct OpticsSettings
+{
+  std::string Model = "vtk"; // vtk, none, blinn-phong, ward, lafortune
+  double Glossiness = -1.0;  // below 0: the model's default
+  double Anisotropy = -1.0;  // below 0: the model's default
+  double Scattering = 0.0;
+  std::string FrameSource = "covariance";
+};
+
+struct AmbientSettings
+{
+  double Radius = 10.0;
+  int Samples = 100;
+  double Tolerance = 0.05;
+  double ResolutionFactor = 1.0;
+  double FilterStandardDeviation = 0.0;
+  std::string Pattern = "shared"; // shared, per-block, per-voxel, exhaustive
+  int Precision = 8;
+};
+
+struct CameraSettings
+{
+  double Azimuth = 0.0, Elevation = 0.0, Roll = 0.0, Zoom = 1.0;
+  std::vector<double> Position, FocalPoint, ViewUp; // world; empty: found from the volume
+};
+
+struct LightSettings
+{
+  double Azimuth = 0.0, Elevation = 0.0; // degrees from the camera's axis
+  double Intensity = 1.0;
+};
+
+struct PictureSettings
+{
+  OpticsSettings Optics;
+  AmbientSettings Ambient;
+  CameraSettings Camera;
+  LightSettings Light;
+  TransferFunction Function;
+  std::array<int, 2> Size = { 1024, 1024 };
+  std::array<double, 3> Background = { 1.0, 1.0, 1.0 };
+  double Step = 0.0; // world length; 0: half of the mean spacing
+  std::string Quality = "custom";
+};
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+  OpticsSettings, Model, Glossiness, Anisotropy, Scattering, FrameSource)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmbientSettings, Radius, Samples, Tolerance, ResolutionFactor,
+  FilterStandardDeviation, Pattern, Precision)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+  CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PictureSettings, Optics, Ambient, Camera, Light, Function, Size,
+  Background, Step, Quality)
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// volumeoptics: optical models for volume rendering, from the command line.
+
+#include "Commands.h"
+#include "Progress.h"
+#include "UserError.h"
+
+#include <vtkObject.h>
+
+#include <cstdio>
+
+namespace
+{
+constexpr int UserErrorCode = 1;
+constexpr int UsageErrorCode = 2;
+
+const char* const Examples = R"(
+Examples:
+  volumeoptics render head.nrrd -o head.png --model ward --preset cranium --camera 35,8
+  volumeoptics view Cranium.inv3 --model lafortune --glossiness 30
+  volumeoptics info Cranium.inv3
+  volumeoptics gallery -o gallery
+  volumeoptics trade covariance -o trade
+
+Exit codes: 0 done, 1 a file or the machine is at fault, 2 the command line is.)";
+}
+
+int main(int argc, char** argv)
+{
+  CLI::App program("Volume rendering with optical models: anisotropic highlights by the shape of the data.",
+    "volumeoptics");
+  program.footer(Examples);
+  program.set_version_flag("--version", VOLUMEOPTICS_VERSION);
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(32);
+  program.fallthrough();
+  program.add_flag_callback("-q,--quiet", [] { Progress::SetQuiet(true); }, "No progress, no times");
+  AddRenderCommand(program);
+  AddViewCommand(program);
+  AddInfoCommand(program);
+  AddGalleryCommand(program);
+  AddTradeCommand(program);
+  try
+  {
+    program.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return program.exit(error) == 0 ? 0 : UsageErrorCode;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "volumeoptics: %s\n", error.what());
+    return UserErrorCode;
+  }
+  return 0;
+}

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FrameProvider.h"
+
+#include "OpticsTerm.h"
+#include "vtkAmbientCovarianceFilter.h"
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkPrincipalCurvatureFilter.h"
+#include "vtkSobelNormalFilter.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+// While the user interacts, frames are estimated on a grid of an eighth of the voxels.
+const double CoarseFactor = 0.5;
+const double SmallestFactor = 0.0625;
+
+vtkFloatArray* FindArray(vtkImageData* image, const char* name, int components)
+{
+  auto* array = image ? vtkFloatArray::FastDownCast(image->GetPointData()->GetArray(name)) : nullptr;
+  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+}
+
+vtkFloatArray* FindAnisotropy(vtkImageData* image)
+{
+  vtkFloatArray* array = FindArray(image, "AmbientCovariance", 3);
+  return array ? array : FindArray(image, "AmbientCovariance", 5);
+}
+
+vtkImageData* UpdatedImage(const FrameProvider::Connection& connection)
+{
+  connection.Producer->Update(connection.Port);
+  return vtkImageData::SafeDownCast(connection.Producer->GetOutputDataObject(connection.Port));
+}
+
+bool HaveSameGrid(vtkImageData* first, vtkImageData* second)
+{
+  int a[6], b[6];
+  first->GetExtent(a);
+  second->GetExtent(b);
+  const double* spacingA = first->GetSpacing();
+  const double* spacingB = second->GetSpacing();
+  bool same = std::equal(a, a + 6, b);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    same &= std::abs(spacingA[axis] - spacingB[axis]) <= 1.0e-6 * std::abs(spacingA[axis]);
+  }
+  return same;
+}
+
+// A cell's value stands at its centre.
+void MakeCentresPoints(vtkImageData* source, vtkImageData* points)
+{
+  int extent[6];
+  source->GetExtent(extent);
+  double centre[3];
+  source->TransformContinuousIndexToPhysicalPoint(0.5, 0.5, 0.5, centre);
+  points->SetOrigin(centre);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis + 1] = std::max(extent[2 * axis], extent[2 * axis + 1] - 1);
+  }
+  points->SetExtent(extent);
+}
+
+// Forwards a filter's progress as VTK's own gradient events, and the window's abort to the filter.
+struct Watch
+{
+  const OpticsScene& Scene;
+  double Begin;
+  double Share;
+};
+
+void ReportProgress(vtkObject* caller, unsigned long, void* data, void*)
+{
+  const auto* watch = static_cast<Watch*>(data);
+  auto* filter = static_cast<vtkAlgorithm*>(caller);
+  double progress = watch->Begin + watch->Share * filter->GetProgress();
+  watch->Scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsProgressEvent, &progress);
+  if (watch->Scene.Window->GetAbortRender())
+  {
+    filter->SetAbortExecute(1);
+  }
+}
+
+// False if the user aborted: what the filter left is then not whole.
+bool Run(vtkAlgorithm* filter, Watch watch)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(ReportProgress);
+  command->SetClientData(&watch);
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
+  filter->SetAbortExecute(0);
+  filter->Update();
+  filter->RemoveObserver(tag);
+  const bool isAborted = filter->GetAbortExecute() != 0;
+  if (isAborted)
+  {
+    filter->SetAbortExecute(0);
+    filter->Modified();
+  }
+  return !isAborted;
+}
+}
+
+//------------------------------------------------------------------------------
+FrameProvider::FrameProvider()
+{
+  this->Covariance->SetInputConnection(1, this->Sobel->GetOutputPort());
+}
+
+FrameProvider::~FrameProvider() = default;
+
+//------------------------------------------------------------------------------
+FrameGrid FrameProvider::Update(const OpticsScene& scene, const Request& request)
+{
+  FrameGrid grid;
+  auto* input = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
+  vtkImageData* normals = this->NormalsInput.Producer ? UpdatedImage(this->NormalsInput) : input;
+  grid.Normals = FindArray(normals, "Normals", 3);
+  grid.Magnitude = FindArray(normals, "GradientMagnitude", 1);
+  vtkImageData* anisotropy = this->AnisotropyInput.Producer ? UpdatedImage(this->AnisotropyInput) : input;
+  grid.Anisotropy = request.Anisotropy ? FindAnisotropy(anisotropy) : nullptr;
+  const bool isComplete = grid.Normals && grid.Magnitude && (grid.Anisotropy || !request.Anisotropy);
+  if (isComplete && (!request.Anisotropy || HaveSameGrid(normals, anisotropy)))
+  {
+    grid.Geometry = normals;
+    return grid;
+  }
+  if (this->NormalsInput.Producer || this->AnisotropyInput.Producer)
+  {
+    scene.Mapper->Say("The connected normals and anisotropy cannot be used: they must be float point arrays "
+                      "Normals (3 components), GradientMagnitude (1) and AmbientCovariance (3 or 5) on one "
+                      "grid. They are computed from the input instead.");
+  }
+  return this->RunFilters(scene, request);
+}
+
+//------------------------------------------------------------------------------
+void FrameProvider::UpdateInput(const OpticsScene& scene)
+{
+  auto* source = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
+  const vtkMTimeType time = std::max(source->GetMTime(), scene.Scalars->GetMTime());
+  if (this->Input && this->Source == source && this->SourceTime == time &&
+    this->Input->GetPointData()->GetScalars() == scene.Scalars)
+  {
+    return;
+  }
+  this->Input = vtkSmartPointer<vtkImageData>::New();
+  this->Input->CopyStructure(source);
+  if (scene.CellScalars)
+  {
+    MakeCentresPoints(source, this->Input);
+  }
+  else if (source->GetPointGhostArray())
+  {
+    this->Input->GetPointData()->AddArray(source->GetPointGhostArray());
+  }
+  this->Input->GetPointData()->SetScalars(scene.Scalars);
+  this->Source = source;
+  this->SourceTime = time;
+  this->Sobel->SetInputData(this->Input);
+  this->Covariance->SetInputData(0, this->Input);
+  this->Curvature->SetInputData(this->Input);
+}
+
+//------------------------------------------------------------------------------
+double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Request& request)
+{
+  const double wanted = request.ResolutionFactor * (request.Coarse ? CoarseFactor : 1.0);
+  const double limit = 1.0 * scene.Mapper->GetMaxMemoryInBytes() * scene.Mapper->GetMaxMemoryFraction();
+  const double voxels = static_cast<double>(this->Input->GetNumberOfPoints()) * std::pow(wanted, 3);
+  const double bytes = voxels * (request.Anisotropy ? 7 : 4) * request.Bits / 8;
+  if (limit <= 0.0 || bytes <= limit)
+  {
+    return wanted;
+  }
+  const double factor = std::max(SmallestFactor, wanted * std::cbrt(limit / bytes));
+  std::ostringstream message;
+  message << "Normals and anisotropy of the volume would take " << std::lround(bytes / 1048576.0)
+          << " MiB of textures; the mapper's limit is " << std::lround(limit / 1048576.0)
+          << " MiB. They are computed at a resolution factor of " << factor
+          << ". Raise SetMaxMemoryInBytes() or lower SetFramePrecision() for more.";
+  scene.Mapper->Say(message.str());
+  return factor;
+}
+
+//------------------------------------------------------------------------------
+bool FrameProvider::IsStored(const Request& request) const
+{
+  const bool isCurrent = this->Stored.Normals && this->StoredTime == this->GetTime();
+  const bool isEnough = !request.Anisotropy ||
+    (this->Stored.Anisotropy && this->StoredRequest.Curvature == request.Curvature);
+  const bool isFine = this->StoredRequest.ResolutionFactor == request.ResolutionFactor &&
+    this->StoredRequest.Bits == request.Bits && (request.Coarse || !this->StoredRequest.Coarse);
+  return isCurrent && isEnough && isFine;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType FrameProvider::GetTime() const
+{
+  return std::max({ this->Input->GetMTime(), this->Sobel->GetMTime(), this->Covariance->GetMTime(),
+    this->Curvature->GetMTime() });
+}
+
+//------------------------------------------------------------------------------
+FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& request)
+{
+  this->UpdateInput(scene);
+  if (this->IsStored(request))
+  {
+    return this->GetStored(request.Anisotropy);
+  }
+  const double factor = this->GetResolutionFactor(scene, request);
+  this->Sobel->SetResolutionFactor(factor);
+  this->Covariance->SetResolutionFactor(factor);
+  this->Curvature->SetResolutionFactor(factor);
+  this->Sobel->SetInputComponent(scene.OpacityComponent);
+  this->Covariance->SetInputComponent(scene.OpacityComponent);
+  this->Curvature->SetInputComponent(scene.OpacityComponent);
+
+  vtkAlgorithm* anisotropy = request.Curvature ? static_cast<vtkAlgorithm*>(this->Curvature)
+                                               : static_cast<vtkAlgorithm*>(this->Covariance);
+  const double share = request.Anisotropy ? 0.1 : 1.0;
+  scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsStartEvent);
+  const bool isDone = Run(this->Sobel, Watch{ scene, 0.0, share }) &&
+    (!request.Anisotropy || Run(anisotropy, Watch{ scene, share, 1.0 - share }));
+  scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsEndEvent);
+  this->Stored = {};
+  if (!isDone)
+  {
+    return FrameGrid();
+  }
+  this->Store(request, request.Anisotropy ? anisotropy : nullptr);
+  return this->GetStored(request.Anisotropy);
+}
+
+//------------------------------------------------------------------------------
+void FrameProvider::Store(const Request& request, vtkAlgorithm* anisotropy)
+{
+  vtkImageData* normals = this->Sobel->GetOutput();
+  this->Stored.Geometry = normals;
+  this->Stored.Normals = FindArray(normals, "Normals", 3);
+  this->Stored.Magnitude = FindArray(normals, "GradientMagnitude", 1);
+  this->Stored.Anisotropy =
+    anisotropy ? FindAnisotropy(vtkImageData::SafeDownCast(anisotropy->GetOutputDataObject(0))) : nullptr;
+  this->StoredRequest = request;
+  this->StoredTime = this->GetTime();
+}
+
+//------------------------------------------------------------------------------
+FrameGrid FrameProvider::GetStored(bool withAnisotropy) const
+{
+  FrameGrid grid;
+  if (this->Stored.Normals && this->Stored.Magnitude && (this->Stored.Anisotropy || !withAnisotropy))
+  {
+    grid.Geometry = this->Stored.Geometry;
+    grid.Normals = this->Stored.Normals;
+    grid.Magnitude = this->Stored.Magnitude;
+    grid.Anisotropy = withAnisotropy ? this->Stored.Anisotropy.Get() : nullptr;
+  }
+  return grid;
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Where the normals and frames of a volume come from: what the user connected, else arrays of the
+// input, else the filters, which it runs when the data has changed.
+
+#ifndef FrameProvider_h
+#define FrameProvider_h
+
+#include "FrameTextures.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
+class vtkAmbientCovarianceFilter;
+class vtkPrincipalCurvatureFilter;
+class vtkSobelNormalFilter;
+struct OpticsScene;
+
+class FrameProvider
+{
+public:
+  FrameProvider();
+  ~FrameProvider();
+
+  /** What is asked of the frames of a scene. */
+  struct Request
+  {
+    bool Anisotropy; // else normals alone
+    bool Curvature;  // source of the anisotropy, else the covariance
+    double ResolutionFactor;
+    int Bits;    // per number on the GPU, for the memory limit
+    bool Coarse; // enough while the user interacts
+  };
+
+  /**
+   * The frames, with arrays of float on one grid. Normals is null where there are none; why has then
+   * been said through the scene's mapper.
+   */
+  FrameGrid Update(const OpticsScene& scene, const Request& request);
+
+  /** An output of a pipeline; unlike vtkAlgorithmOutput it keeps the producer. */
+  struct Connection
+  {
+    vtkSmartPointer<vtkAlgorithm> Producer;
+    int Port = 0;
+  };
+  Connection NormalsInput;
+  Connection AnisotropyInput;
+
+  vtkNew<vtkSobelNormalFilter> Sobel;
+  vtkNew<vtkAmbientCovarianceFilter> Covariance;
+  vtkNew<vtkPrincipalCurvatureFilter> Curvature;
+
+private:
+  void UpdateInput(const OpticsScene& scene);
+  FrameGrid RunFilters(const OpticsScene& scene, const Request& request);
+  double GetResolutionFactor(const OpticsScene& scene, const Request& request);
+  vtkMTimeType GetTime() const;
+
+  void Store(const Request& request, vtkAlgorithm* anisotropy);
+  bool IsStored(const Request& request) const;
+  FrameGrid GetStored(bool withAnisotropy) const;
+
+  vtkSmartPointer<vtkImageData> Input; // the scalars that opacity depends on, as point data
+  vtkWeakPointer<vtkImageData> Source;
+  vtkMTimeType SourceTime = 0;
+
+  // What the filters made last, so that a coarse frame does not undo a fine one.
+  struct
+  {
+    vtkSmartPointer<vtkImageData> Geometry;
+    vtkSmartPointer<vtkFloatArray> Normals;
+    vtkSmartPointer<vtkFloatArray> Magnitude;
+    vtkSmartPointer<vtkFloatArray> Anisotropy;
+  } Stored;
+  Request StoredRequest = {};
+  vtkMTimeType StoredTime = 0;
+};
+
+#endif

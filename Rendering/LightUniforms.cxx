@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LightUniforms.h"
+
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTransform.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+using Vector = std::array<float, 3>;
+
+template <typename Function>
+void ForEachLight(vtkRenderer* renderer, Function function)
+{
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch())
+    {
+      function(light);
+    }
+  }
+}
+
+Vector Scaled(const double* vector, double factor)
+{
+  return { static_cast<float>(vector[0] * factor), static_cast<float>(vector[1] * factor),
+    static_cast<float>(vector[2] * factor) };
+}
+
+Vector DirectionInEye(vtkLight* light, vtkTransform* view)
+{
+  double direction[3];
+  vtkMath::Subtract(light->GetTransformedFocalPoint(), light->GetTransformedPosition(), direction);
+  const double* inEye = view->TransformVector(direction);
+  const double length = vtkMath::Norm(inEye);
+  return Scaled(inEye, length > 0.0 ? 1.0 / length : 0.0);
+}
+
+// A cone beyond 90 degrees is none, as in VTK.
+Vector Cone(vtkLight* light)
+{
+  const double angle = light->GetConeAngle();
+  const double cosine = angle <= 90.0 ? std::cos(vtkMath::RadiansFromDegrees(angle)) : -2.0;
+  return { light->GetPositional() ? 1.0F : 0.0F, static_cast<float>(cosine),
+    static_cast<float>(light->GetExponent()) };
+}
+
+void SetVectors(vtkShaderProgram* program, const char* name, const std::vector<Vector>& vectors)
+{
+  if (!vectors.empty() && program->IsUniformUsed(name))
+  {
+    program->SetUniform3fv(
+      name, static_cast<int>(vectors.size()), reinterpret_cast<const float(*)[3]>(vectors.data()));
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+int CountLights(vtkRenderer* renderer)
+{
+  int count = 0;
+  ForEachLight(renderer, [&count](vtkLight*) { ++count; });
+  return count;
+}
+
+//------------------------------------------------------------------------------
+bool HasPositionalLight(vtkRenderer* renderer)
+{
+  bool found = false;
+  ForEachLight(renderer, [&found](vtkLight* light) { found |= light->GetPositional() != 0; });
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void SetLightUniforms(vtkRenderer* renderer, vtkShaderProgram* program)
+{
+  vtkTransform* view = renderer->GetActiveCamera()->GetModelViewTransformObject();
+  std::vector<Vector> diffuse, specular, direction, position, attenuation, cone;
+  ForEachLight(renderer, [&](vtkLight* light) {
+    diffuse.push_back(Scaled(light->GetDiffuseColor(), light->GetIntensity()));
+    specular.push_back(Scaled(light->GetSpecularColor(), light->GetIntensity()));
+    direction.push_back(DirectionInEye(light, view));
+    position.push_back(Scaled(view->TransformPoint(light->GetTransformedPosition()), 1.0));
+    attenuation.push_back(Scaled(light->GetAttenuationValues(), 1.0));
+    cone.push_back(Cone(light));
+  });
+  SetVectors(program, "in_opticsLightDiffuse", diffuse);
+  SetVectors(program, "in_opticsLightSpecular", specular);
+  SetVectors(program, "in_opticsLightDirection", direction);
+  SetVectors(program, "in_opticsLightPosition", position);
+  SetVectors(program, "in_opticsLightAttenuation", attenuation);
+  SetVectors(program, "in_opticsLightCone", cone);
+}

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OpticsShaderTable.h"
+
+#include "vtkShaderProgram.h"
+
+#include "AnisotropyComponents.h"
+#include "AnisotropyFrame.h"
+#include "AnisotropyMap.h"
+#include "AnisotropyWorld.h"
+#include "ExtinctionGradientCentral.h"
+#include "ExtinctionGradientStored.h"
+#include "FrameDec.h"
+#include "FrameInit.h"
+#include "GradientOpacityNone.h"
+#include "GradientOpacityScalar.h"
+#include "LightsDirectional.h"
+#include "LightsPositional.h"
+#include "MajorParameterLafortune.h"
+#include "MajorParameterWard.h"
+#include "NoNormalForCentral.h"
+#include "NormalForCentral.h"
+#include "NormalLookup.h"
+#include "Opacity.h"
+#include "OpacityAt2D.h"
+#include "OpacityAtLabel.h"
+#include "OpacityAtScalar.h"
+#include "OpacityAtScalarAndGradient.h"
+#include "OpacityTable.h"
+#include "PhaseFunction.h"
+#include "RayDec.h"
+#include "RayInit.h"
+#include "Reflectance.h"
+#include "ReflectanceBlinnPhong.h"
+#include "ReflectanceLafortune.h"
+#include "ReflectanceLighting.h"
+#include "ReflectanceNone.h"
+#include "ReflectanceWard.h"
+#include "SurfaceAnisotropic.h"
+#include "SurfaceDec.h"
+
+#include <vector>
+
+namespace
+{
+using F = OpticsFeature;
+
+struct Place
+{
+  const char* Tag;
+  bool KeepsVTKText; // ours is added behind VTK's, or stands in its place
+};
+
+const Place BaseDec = { "//VTK::Base::Dec", true };
+const Place BaseInit = { "//VTK::Base::Init", true };
+const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", false };
+
+struct Row
+{
+  OpticsFeature Feature;
+  const Place* Where;
+  const char* Text;
+};
+
+// The order of the rows is the order of the text at each place.
+const Row Table[] = {
+  { F::Reflectance, &BaseDec, RayDec },
+  { F::FrameLookup, &BaseDec, FrameDec },
+
+  { F::Reflectance, &BaseInit, RayInit },
+  { F::FrameLookup, &BaseInit, FrameInit },
+
+  { F::Reflectance, &ComputeLightingDec, PhaseFunction },
+  { F::Surface, &ComputeLightingDec, Opacity },
+  { F::Surface, &ComputeLightingDec, Reflectance },
+  { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
+  { F::FrameLookup, &ComputeLightingDec, NormalLookup },
+  { F::AnisotropyMap, &ComputeLightingDec, AnisotropyMap },
+  { F::AnisotropyComponents, &ComputeLightingDec, AnisotropyComponents },
+  { F::AnisotropyWorld, &ComputeLightingDec, AnisotropyWorld },
+  { F::Surface, &ComputeLightingDec, OpacityTable },
+  { F::OpacityAtScalar, &ComputeLightingDec, OpacityAtScalar },
+  { F::OpacityAtScalarAndGradient, &ComputeLightingDec, OpacityAtScalarAndGradient },
+  { F::OpacityAt2D, &ComputeLightingDec, OpacityAt2D },
+  { F::OpacityAtLabel, &ComputeLightingDec, OpacityAtLabel },
+  { F::GradientStored, &ComputeLightingDec, ExtinctionGradientStored },
+  { F::GradientCentralWithNormal, &ComputeLightingDec, NormalForCentral },
+  { F::GradientCentralWithoutNormal, &ComputeLightingDec, NoNormalForCentral },
+  { F::GradientCentral, &ComputeLightingDec, ExtinctionGradientCentral },
+  { F::Surface, &ComputeLightingDec, SurfaceDec },
+  { F::ReflectanceWard, &ComputeLightingDec, MajorParameterWard },
+  { F::ReflectanceLafortune, &ComputeLightingDec, MajorParameterLafortune },
+  { F::Anisotropic, &ComputeLightingDec, SurfaceAnisotropic },
+  { F::ReflectanceNone, &ComputeLightingDec, ReflectanceNone },
+  { F::ReflectanceBlinnPhong, &ComputeLightingDec, ReflectanceBlinnPhong },
+  { F::ReflectanceWard, &ComputeLightingDec, ReflectanceWard },
+  { F::ReflectanceLafortune, &ComputeLightingDec, ReflectanceLafortune },
+  { F::LightsDirectional, &ComputeLightingDec, LightsDirectional },
+  { F::LightsPositional, &ComputeLightingDec, LightsPositional },
+  { F::GradientOpacityNone, &ComputeLightingDec, GradientOpacityNone },
+  { F::GradientOpacityScalar, &ComputeLightingDec, GradientOpacityScalar },
+  { F::Reflectance, &ComputeLightingDec, ReflectanceLighting },
+};
+
+// Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
+struct Statement
+{
+  const char* Text;
+  const char* Replacement;
+};
+const Statement LightingCalls[] = {
+  { "return clamp(computeLighting(", "g_opticsScalar = scalar;\n  return opticsUnclamped(computeLighting(" },
+  { "return computeLighting(", "g_opticsScalar = scalar;\n  return computeLighting(" },
+  { "g_srcColor = computeLighting(", "g_opticsScalar = scalar;\n      g_srcColor = computeLighting(" },
+};
+
+std::string TextFor(const Place& place, const OpticsFeatures& features)
+{
+  std::string text;
+  for (const Row& row : Table)
+  {
+    if (row.Where == &place && features.Has(row.Feature))
+    {
+      text += row.Text;
+    }
+  }
+  return text;
+}
+
+// GLSL arrays are sized by constants, and have at least one element.
+std::string NumberOfLightsText(int lights)
+{
+  const int slots = lights > 0 ? lights : 1;
+  return "#define OPTICS_NUMBER_OF_LIGHTS " + std::to_string(lights) + "\n#define OPTICS_LIGHT_SLOTS " +
+    std::to_string(slots) + "\n";
+}
+
+bool Insert(std::string& fragment, const Place& place, const std::string& text)
+{
+  if (text.empty())
+  {
+    return true;
+  }
+  const std::string kept = place.KeepsVTKText ? std::string(place.Tag) + "\n" : std::string();
+  return vtkShaderProgram::Substitute(fragment, place.Tag, kept + text, false);
+}
+}
+
+//------------------------------------------------------------------------------
+bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features)
+{
+  if (features.IsEmpty())
+  {
+    return true;
+  }
+  const std::string lighting =
+    NumberOfLightsText(features.NumberOfLights) + TextFor(ComputeLightingDec, features);
+  return Insert(fragment, BaseDec, TextFor(BaseDec, features)) &&
+    Insert(fragment, BaseInit, TextFor(BaseInit, features)) &&
+    Insert(fragment, ComputeLightingDec, lighting);
+}
+
+//------------------------------------------------------------------------------
+bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
+{
+  if (!features.Has(OpticsFeature::Reflectance))
+  {
+    return true;
+  }
+  bool found = false;
+  for (const Statement& call : LightingCalls)
+  {
+    found |= vtkShaderProgram::Substitute(fragment, call.Text, call.Replacement, true);
+  }
+  return found;
+}

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The one table of what is injected into VTK's fragment shader, and where. The source is a function
+// of the set of features alone: it is rebuilt when the set changes, and at no other time.
+
+#ifndef OpticsShaderTable_h
+#define OpticsShaderTable_h
+
+#include <bitset>
+#include <string>
+
+enum class OpticsFeature
+{
+  Reflectance, // the term of reflectance models: replaces VTK's computeLighting()
+  ReflectanceNone,
+  ReflectanceBlinnPhong,
+  ReflectanceWard,
+  ReflectanceLafortune,
+  Surface, // a model with a normal
+  Anisotropic,
+  AnisotropyMap,
+  AnisotropyComponents,
+  AnisotropyWorld,
+  FrameLookup, // the grid of stored normals and frames is sampled
+  GradientStored,
+  GradientCentral,
+  GradientCentralWithoutNormal,
+  GradientCentralWithNormal,
+  OpacityAtScalar,
+  OpacityAtScalarAndGradient,
+  OpacityAt2D,
+  OpacityAtLabel,
+  GradientOpacityNone,
+  GradientOpacityScalar,
+  LightsDirectional,
+  LightsPositional,
+  Count
+};
+
+class OpticsFeatures
+{
+public:
+  void Add(OpticsFeature feature) { this->Bits.set(static_cast<std::size_t>(feature)); }
+  bool Has(OpticsFeature feature) const { return this->Bits.test(static_cast<std::size_t>(feature)); }
+  bool IsEmpty() const { return this->Bits.none(); }
+  bool operator==(const OpticsFeatures& other) const
+  {
+    return this->Bits == other.Bits && this->NumberOfLights == other.NumberOfLights;
+  }
+
+  int NumberOfLights = 0;
+
+private:
+  std::bitset<static_cast<std::size_t>(OpticsFeature::Count)> Bits;
+};
+
+/**
+ * Inserts the text of the features at VTK's tags, before VTK's own text. Returns false where a
+ * place is missing from the fragment shader: this VTK's shader differs from those known.
+ */
+bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features);
+
+/**
+ * Replaces statements of VTK's own text, after VTK has written it. Returns false as above.
+ */
+bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
+
+#endif

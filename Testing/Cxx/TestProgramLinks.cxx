@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A parameter that only changes a uniform links no program; one that changes the source links one.
+
+#include "TestScene.h"
+
+#include <functional>
+
+namespace
+{
+int LinksOf(TestScene& scene, const std::function<void()>& change)
+{
+  scene.Window->Render();
+  const int before = scene.Optics->GetProgramLinkCount();
+  change();
+  scene.Window->Render();
+  scene.Window->Render();
+  return scene.Optics->GetProgramLinkCount() - before;
+}
+}
+
+int TestProgramLinks(int, char*[])
+{
+  Verdict verdict;
+  TestScene scene;
+  vtkOpticsVolumeProperty* property = scene.Property;
+  property->SetReflectanceModelToWard();
+  const auto expect = [&](int links, const std::string& name, const std::function<void()>& change) {
+    const int actual = LinksOf(scene, change);
+    verdict.Check(actual == links,
+      name + " linked " + std::to_string(actual) + " programs, not " + std::to_string(links));
+  };
+  expect(0, "Glossiness", [&] { property->SetGlossiness(0.05); });
+  expect(0, "AnisotropyScale", [&] { property->SetAnisotropyScale(40.0); });
+  expect(0, "ScatteringAnisotropy", [&] { property->SetScatteringAnisotropy(0.4F); });
+  expect(0, "SpecularFromExtinction", [&] { property->SpecularFromExtinctionOff(); });
+  expect(0, "FrameSource", [&] { property->SetFrameSourceToCurvature(); });
+  expect(0, "FramePrecision", [&] { scene.Optics->SetFramePrecision(16); });
+  expect(0, "the camera", [&] { scene.Renderer->GetActiveCamera()->Azimuth(10.0); });
+  expect(0, "the transfer function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
+  expect(0, "two-sided lighting", [&] { scene.Renderer->TwoSidedLightingOff(); });
+  expect(1, "ReflectanceModel", [&] { property->SetReflectanceModelToLafortune(); });
+  expect(0, "a ReflectanceModel used before", [&] { property->SetReflectanceModelToWard(); });
+  expect(1, "ExtinctionGradient", [&] { scene.Optics->SetExtinctionGradientToCentralDifferences(); });
+  return verdict.Result();
+}

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Extremes of data, parameters and light: no crash, no OpenGL error, and on a float target, which
+// hides nothing, every pixel finite and at least 0.
+
+#include "TestScene.h"
+
+#include "vtkFloatArray.h"
+#include "vtkLight.h"
+#include "vtkLongLongArray.h"
+#include "vtkOpenGLError.h"
+#include "vtkPointData.h"
+
+#include <functional>
+#include <limits>
+
+namespace
+{
+using Setting = std::function<void(TestScene&)>;
+
+const int Models[] = { vtkOpticsVolumeProperty::None, vtkOpticsVolumeProperty::BlinnPhong,
+  vtkOpticsVolumeProperty::Ward, vtkOpticsVolumeProperty::Lafortune };
+
+void Check(Verdict& verdict, const std::string& name, const Setting& setting)
+{
+  for (const int model : Models)
+  {
+    TestScene scene;
+    scene.Window->SetSize(60, 60);
+    scene.Property->SetSpecular(1.0);
+    scene.Property->SetReflectanceModel(model);
+    setting(scene);
+    scene.Renderer->ResetCamera();
+    const std::string what = name + ", " + scene.Property->GetReflectanceModelAsString();
+    scene.Window->Render();
+    verdict.Check(glGetError() == GL_NO_ERROR, what + ": OpenGL reports an error");
+    const std::vector<float> pixels = scene.RenderFloat();
+    verdict.Check(AreFinite(pixels), what + ": a pixel is not finite");
+    verdict.Check(*std::min_element(pixels.begin(), pixels.end()) >= 0.0F, what + ": a pixel is below 0");
+    verdict.Check(scene.Optics->GetActiveTerms() == "Reflectance", what + ": the term is not active");
+  }
+}
+
+void SetGlossiness(TestScene& scene, double glossiness)
+{
+  for (const int model : { vtkOpticsVolumeProperty::BlinnPhong, vtkOpticsVolumeProperty::Lafortune })
+  {
+    scene.Property->SetGlossiness(model, glossiness);
+  }
+}
+
+void SetScale(TestScene& scene, double scale)
+{
+  scene.Property->SetAnisotropyScale(vtkOpticsVolumeProperty::Ward, scale);
+  scene.Property->SetAnisotropyScale(vtkOpticsVolumeProperty::Lafortune, scale);
+}
+
+// The field's scalars as another type and scale, with the transfer functions carried along.
+template <typename Array>
+void Rescale(TestScene& scene, double factor, double offset)
+{
+  scene.Source->Update();
+  vtkNew<vtkImageData> image;
+  image->CopyStructure(scene.Source->GetOutput());
+  vtkDataArray* field = scene.Source->GetOutput()->GetPointData()->GetScalars();
+  vtkNew<Array> scalars;
+  scalars->SetNumberOfTuples(field->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < field->GetNumberOfTuples(); ++i)
+  {
+    scalars->SetComponent(i, 0, field->GetComponent(i, 0) * factor + offset);
+  }
+  image->GetPointData()->SetScalars(scalars);
+  scene.Mapper->SetInputData(image);
+  scene.Opacity->RemoveAllPoints();
+  scene.Opacity->AddPoint(0.4 * factor + offset, 0.0);
+  scene.Opacity->AddPoint(0.6 * factor + offset, 0.3);
+  scene.Color->RemoveAllPoints();
+  scene.Color->AddRGBPoint(offset, 0.2, 0.3, 0.8);
+  scene.Color->AddRGBPoint(factor + offset, 0.9, 0.7, 0.5);
+}
+
+void Poison(TestScene& scene, float value)
+{
+  scene.Source->Update();
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(scene.Source->GetOutput());
+  auto* scalars = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); i += 97)
+  {
+    scalars->SetValue(i, value);
+  }
+  scene.Mapper->SetInputData(image);
+}
+
+void SetBounds(TestScene& scene, double x, double y, double z)
+{
+  scene.Source->SetBounds(-x, x, -y, y, -z, z);
+  const double smallest = std::min({ x, y, z });
+  scene.Mapper->SetSampleDistance(static_cast<float>(0.05 * std::max({ x, y, z })));
+  scene.Property->SetScalarOpacityUnitDistance(0.05 * smallest);
+  scene.Source->SetSemiAxes(0.5 * x, 0.5 * y, 0.8 * z);
+}
+
+void LightFrom(TestScene& scene, double x, double y, double z)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToCameraLight();
+  light->SetPosition(x, y, z);
+  scene.Renderer->SetAutomaticLightCreation(false);
+  scene.Renderer->AddLight(light);
+}
+
+void CheckParameters(Verdict& verdict)
+{
+  Check(verdict, "exponent 0.01", [](TestScene& s) { SetGlossiness(s, 0.01); });
+  Check(verdict, "exponent 1e5", [](TestScene& s) { SetGlossiness(s, 1.0e5); });
+  Check(verdict, "roughness 1e-4",
+    [](TestScene& s) { s.Property->SetGlossiness(vtkOpticsVolumeProperty::Ward, 1.0e-4); });
+  Check(verdict, "roughness 1",
+    [](TestScene& s) { s.Property->SetGlossiness(vtkOpticsVolumeProperty::Ward, 1.0); });
+  Check(verdict, "anisotropy scale 0", [](TestScene& s) { SetScale(s, 0.0); });
+  Check(verdict, "anisotropy scale 1e4", [](TestScene& s) { SetScale(s, 1.0e4); });
+  Check(verdict, "forward scattering", [](TestScene& s) { s.Property->SetScatteringAnisotropy(1.0F); });
+  Check(verdict, "backward scattering", [](TestScene& s) { s.Property->SetScatteringAnisotropy(-1.0F); });
+  Check(verdict, "highlights everywhere", [](TestScene& s) { s.Property->SpecularFromExtinctionOff(); });
+  Check(verdict, "opaque at once", [](TestScene& s) {
+    s.Opacity->RemoveAllPoints();
+    s.Opacity->AddPoint(0.4999, 0.0);
+    s.Opacity->AddPoint(0.5, 1.0);
+  });
+}
+
+void CheckData(Verdict& verdict)
+{
+  Check(verdict, "constant volume", [](TestScene& s) {
+    s.Source->SetFieldToNoisyHomogeneous();
+    s.Source->SetNoiseAmplitude(0.0);
+  });
+  Check(verdict, "spacing 1e-6", [](TestScene& s) { SetBounds(s, 1.6e-5, 1.6e-5, 1.6e-5); });
+  Check(verdict, "spacing 1e6", [](TestScene& s) { SetBounds(s, 1.6e7, 1.6e7, 1.6e7); });
+  Check(verdict, "spacing 1:100", [](TestScene& s) { SetBounds(s, 1.0, 1.0, 100.0); });
+  Check(verdict, "scalars of 1e-30", [](TestScene& s) { Rescale<vtkFloatArray>(s, 1.0e-30, 0.0); });
+  Check(verdict, "scalars of 1e30", [](TestScene& s) { Rescale<vtkFloatArray>(s, 1.0e30, 0.0); });
+  Check(verdict, "int64", [](TestScene& s) { Rescale<vtkLongLongArray>(s, 1.0e15, 1.0e12); });
+  Check(verdict, "NaN", [](TestScene& s) { Poison(s, std::numeric_limits<float>::quiet_NaN()); });
+}
+
+void CheckLight(Verdict& verdict)
+{
+  Check(verdict, "light behind", [](TestScene& s) { LightFrom(s, 0.0, 0.0, -1.0); });
+  Check(verdict, "light at grazing incidence", [](TestScene& s) { LightFrom(s, 1.0, 0.0, 1.0e-7); });
+  Check(verdict, "light of no direction", [](TestScene& s) { LightFrom(s, 0.0, 0.0, 0.0); });
+  Check(verdict, "light inside the volume", [](TestScene& s) {
+    vtkNew<vtkLight> light;
+    light->SetPositional(true);
+    light->SetPosition(0.1, 0.1, 0.1);
+    light->SetAttenuationValues(0.0, 0.0, 1.0);
+    s.Renderer->SetAutomaticLightCreation(false);
+    s.Renderer->AddLight(light);
+  });
+}
+}
+
+int TestReflectanceExtremes(int, char*[])
+{
+  Verdict verdict;
+  CheckParameters(verdict);
+  CheckData(verdict);
+  CheckLight(verdict);
+  return verdict.Result();
+}

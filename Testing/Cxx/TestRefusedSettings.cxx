@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Each row of docs/support.md that the reflectance term does not support: it says so once, and the
+// picture is VTK's own.
+
+#include "TestScene.h"
+
+#include "vtkContourValues.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+
+#include <functional>
+
+namespace
+{
+using Setting = std::function<void(TestScene&)>;
+
+void UseIndependentComponents(TestScene& scene)
+{
+  scene.Source->Update();
+  vtkImageData* source = scene.Source->GetOutput();
+  vtkNew<vtkImageData> image;
+  image->CopyStructure(source);
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfComponents(2);
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  values->CopyComponent(0, source->GetPointData()->GetScalars(), 0);
+  values->CopyComponent(1, source->GetPointData()->GetScalars(), 0);
+  image->GetPointData()->SetScalars(values);
+  scene.Mapper->SetInputData(image);
+}
+
+void UseRectilinearGrid(TestScene& scene)
+{
+  scene.Source->Update();
+  vtkImageData* image = scene.Source->GetOutput();
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(image->GetDimensions());
+  vtkNew<vtkFloatArray> coordinates;
+  for (int i = 0; i < image->GetDimensions()[0]; ++i)
+  {
+    coordinates->InsertNextValue(static_cast<float>(image->GetOrigin()[0] + i * image->GetSpacing()[0]));
+  }
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
+  grid->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
+  scene.Mapper->SetInputData(grid);
+}
+
+void CheckRefused(Verdict& verdict, const std::string& name, const Setting& setting)
+{
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
+  TestScene expected(stock);
+  setting(expected);
+  TestScene scene;
+  setting(scene);
+  scene.Property->SetReflectanceModelToWard();
+  Warnings warnings(scene.Optics);
+  const std::vector<unsigned char> first = scene.Render();
+  scene.Property->SetGlossiness(0.1);
+  const std::vector<unsigned char> second = scene.Render();
+  verdict.Check(expected.Render() == first, name + ": the picture is not VTK's");
+  verdict.Check(first == second, name + ": a setting of the refused model changes the picture");
+  verdict.Check(scene.Optics->GetActiveTerms().empty(), name + ": the term is active");
+  verdict.Check(warnings.Texts.size() == 1,
+    name + ": said " + std::to_string(warnings.Texts.size()) + " times, not once");
+}
+}
+
+int TestRefusedSettings(int, char*[])
+{
+  Verdict verdict;
+  CheckRefused(verdict, "maximum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); });
+  CheckRefused(verdict, "minimum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMinimumIntensity(); });
+  CheckRefused(verdict, "average intensity", [](TestScene& s) { s.Mapper->SetBlendModeToAverageIntensity(); });
+  CheckRefused(verdict, "additive", [](TestScene& s) { s.Mapper->SetBlendModeToAdditive(); });
+  CheckRefused(verdict, "isosurface", [](TestScene& s) {
+    s.Mapper->SetBlendModeToIsoSurface();
+    s.Property->GetIsoSurfaceValues()->SetValue(0, 0.5);
+  });
+  CheckRefused(verdict, "independent components", UseIndependentComponents);
+  CheckRefused(verdict, "rectilinear grid", UseRectilinearGrid);
+  CheckRefused(verdict, "gradient opacity of a label", [](TestScene& s) {
+    vtkNew<vtkPiecewiseFunction> function;
+    function->AddPoint(0.0, 1.0);
+    s.Property->SetLabelGradientOpacity(1, function);
+  });
+  return verdict.Result();
+}

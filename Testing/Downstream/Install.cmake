@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: VolumeOptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs the build tree, moves the install tree, and uses it there: from a CMake project, from
+# Python, and as a plugin. Run by CTest as
+#   cmake -D build=... -D source=... -D work=... (Testing/Standalone.cmake) -P Install.cmake
+
+function (run)
+  execute_process(COMMAND ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if (NOT result EQUAL 0)
+    string(REPLACE ";" " " command "${ARGN}")
+    message(FATAL_ERROR "This failed (${result}): ${command}\n${output}")
+  endif ()
+endfunction ()
+
+set(prefix "${work}/moved prefix")
+file(REMOVE_RECURSE "${work}")
+file(MAKE_DIRECTORY "${work}")
+run("${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/prefix")
+file(RENAME "${work}/prefix" "${prefix}")
+
+run("${CMAKE_COMMAND}" -S "${source}" -B "${work}/build" -G "${generator}"
+  "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_BUILD_TYPE=Release" "-DCMAKE_CXX_FLAGS=${flags}")
+run("${CMAKE_COMMAND}" --build "${work}/build")
+run("${work}/build/downstream")
+
+include("${work}/build/paths.cmake")
+set(ENV{VOLUMEOPTICS_HEADLESS} 1)
+if (python)
+  set(sanitizer)
+  if (preload)
+    set(sanitizer "LD_PRELOAD=${preload}" "ASAN_OPTIONS=detect_leaks=0")
+  endif ()
+  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_dir}" ${sanitizer}
+    "${python}" "${source}/downstream.py" "${prefix}")
+endif ()
+run("${CMAKE_COMMAND}" -E env "VTK_AUTOLOAD_PATH=${plugin_dir}"
+  "${program}" vtkOpticsVolumeMapper render)

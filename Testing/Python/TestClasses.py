@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: VolumeOptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package: its classes beside vtkmodules, and their settings."""
+
+import os
+import tempfile
+
+import volumeoptics
+from vtkmodules.vtkRenderingCore import vtkVolume, vtkVolumeProperty
+from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
+
+
+def check_property():
+    optics = volumeoptics.vtkOpticsVolumeProperty()
+    assert isinstance(optics, vtkVolumeProperty)
+    optics.SetReflectanceModelToLafortune()
+    assert optics.GetReflectanceModelAsString() == "Lafortune"
+    optics.SetGlossiness(50.0)
+    optics.SetGlossiness(optics.Ward, 0.1)
+    optics.SetAnisotropyScale(20.0)
+    assert optics.GetGlossiness() == 50.0
+    assert optics.GetGlossiness(optics.Ward) == 0.1
+    assert optics.GetAnisotropyScale() == 20.0
+    optics.SpecularFromExtinctionOff()
+    assert not optics.GetSpecularFromExtinction()
+    optics.SetScatteringAnisotropy(0.25)
+    assert optics.GetScatteringAnisotropy() == 0.25
+    volume = vtkVolume()
+    volume.SetProperty(optics)
+    assert volume.GetProperty() is optics
+    copied = volumeoptics.vtkOpticsVolumeProperty()
+    copied.DeepCopy(optics)
+    assert copied.GetGlossiness() == 50.0
+
+
+def check_override():
+    mapper_class = volumeoptics.vtkOpticsVolumeMapper
+    assert issubclass(mapper_class, vtkOpenGLGPUVolumeRayCastMapper)
+    assert vtkGPUVolumeRayCastMapper().GetClassName() == "vtkOpenGLGPUVolumeRayCastMapper"
+    mapper_class.SetGlobalOverride(True)
+    assert vtkGPUVolumeRayCastMapper().GetClassName() == "vtkOpticsVolumeMapper"
+    mapper_class.SetGlobalOverride(False)
+    assert vtkGPUVolumeRayCastMapper().GetClassName() == "vtkOpenGLGPUVolumeRayCastMapper"
+
+
+def check_preset():
+    optics = volumeoptics.vtkOpticsVolumeProperty()
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.path.join(folder, "ward.json")
+        with open(name, "w", encoding="ascii") as file:
+            file.write('{"ReflectanceModel": "Ward", "Glossiness": 0.1}')
+        assert volumeoptics.vtkOpticsPreset.Read(name, optics)
+        assert optics.GetReflectanceModelAsString() == "Ward" and optics.GetGlossiness() == 0.1
+    volumeoptics.vtkOpticsVolumeMapper.SetDefaultOptics(optics)
+    assert volumeoptics.vtkOpticsVolumeMapper.GetDefaultOptics() is optics
+    volumeoptics.vtkOpticsVolumeMapper.SetDefaultOptics(None)
+
+
+check_property()
+check_override()
+check_preset()
+for name in dir(volumeoptics):
+    wrapped = getattr(volumeoptics, name)
+    if isinstance(wrapped, type) and name.startswith("vtk"):
+        try:
+            assert wrapped.__name__ in str(wrapped()), name
+        except TypeError as error:
+            assert "abstract" in str(error), error

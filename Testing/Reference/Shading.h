@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Radiance of one sample of the volume, in double, over the formulas of Module/Optics.
+
+#ifndef Shading_h
+#define Shading_h
+
+#include "Scene.h"
+
+namespace reference
+{
+struct Sample
+{
+  Vector position;
+  Vector entry;    // of the ray into the volume
+  Vector toViewer; // unit
+  double scalar = 0.0;
+};
+
+// The gradient of the classified extinction: direction -grad(sigma)/|grad(sigma)| (unit, or 0) and the
+// scale-free specular coefficient K. tangentNormal and anisotropy are the unclassified scalar's.
+struct ExtinctionGradient
+{
+  Vector normal = Vector(0.0);
+  double coefficient = 0.0;
+  Frame frame;
+};
+ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample);
+
+// Not multiplied by the sample's opacity.
+Vector Radiance(const Scene& scene, const Sample& sample);
+}
+
+#endif

@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: VolumeOptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Tests of the whole project; those of the module's classes are in Testing/Cxx.
+
+# A Python that is not sanitized itself loads the sanitizer first, and its own leaks do not count.
+set(volumeoptics_python_environment
+  "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python3/dist-packages")
+set(volumeoptics_test_flags "${CMAKE_CXX_FLAGS}")
+if (VOLUMEOPTICS_SANITIZE)
+  string(APPEND volumeoptics_test_flags " -fsanitize=${VOLUMEOPTICS_SANITIZE}")
+  set(volumeoptics_preload)
+  foreach (library IN ITEMS libasan.so libstdc++.so)
+    execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=${library}"
+      OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)
+    list(APPEND volumeoptics_preload "${path}")
+  endforeach ()
+  list(JOIN volumeoptics_preload ":" volumeoptics_preload)
+  list(APPEND volumeoptics_python_environment
+    "LD_PRELOAD=${volumeoptics_preload}" "ASAN_OPTIONS=detect_leaks=0")
+endif ()
+
+add_subdirectory(Testing/Plugin)
+set(volumeoptics_python "")
+if (TARGET VolumeOptics::Python)
+  add_subdirectory(Testing/Python)
+  set(volumeoptics_python "${Python3_EXECUTABLE}")
+endif ()
+
+add_test(NAME VolumeOpticsInstall
+  COMMAND "${CMAKE_COMMAND}"
+    -D "build=${CMAKE_BINARY_DIR}"
+    -D "source=${CMAKE_CURRENT_SOURCE_DIR}/Testing/Downstream"
+    -D "work=${CMAKE_BINARY_DIR}/Testing/Temporary/Downstream"
+    -D "generator=${CMAKE_GENERATOR}"
+    -D "flags=${volumeoptics_test_flags}"
+    -D "python=${volumeoptics_python}"
+    -D "preload=${volumeoptics_preload}"
+    -D "program=$<TARGET_FILE:VTKProgram>"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Downstream/Install.cmake")
+set_tests_properties(VolumeOpticsInstall PROPERTIES LABELS unit)
+
+add_subdirectory(Testing/Benchmark)

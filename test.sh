@@ -1,0 +1,105 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: VolumeOptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Everything that CI runs: packages, style, build, and all tests, in X windows and without a display,
+# against the same baselines. Closes with CTest's last lines. Arguments are passed to CTest:
+#
+#   ./test.sh                  everything
+#   ./test.sh -L image         the tests of one label
+#   ./test.sh -R Headless      the tests of one name
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+build=build-ci
+failures=()
+
+missing_packages() {
+  local package
+  sed 's/#.*//' Module/debian-packages.txt | while read -r package; do
+    if [ -n "$package" ] &&
+      ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed'; then
+      echo "$package"
+    fi
+  done
+}
+
+install_packages() {
+  local packages sudo=()
+  mapfile -t packages < <(missing_packages)
+  [ ${#packages[@]} -gt 0 ] || return 0
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "Install these packages first: ${packages[*]}" >&2
+      exit 1
+    fi
+    sudo=(sudo)
+  fi
+  "${sudo[@]}" apt-get update -q
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${packages[@]}"
+}
+
+# step NAME COMMAND...: a failure is remembered, so that the steps after it still run.
+step() {
+  local name=$1
+  shift
+  echo
+  echo "== $name ($((SECONDS / 60)) min)"
+  "$@" || failures+=("$name")
+}
+
+build() {
+  local launcher=()
+  if command -v ccache >/dev/null; then
+    launcher=(-D CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  fi
+  cmake --preset ci "${launcher[@]}" && cmake --build "$build"
+}
+
+run_ctest() {
+  local log=$1
+  shift
+  ctest --test-dir "$build" --output-on-failure -j "$(nproc)" "$@" 2>&1 | tee "$log"
+}
+
+test_in_x_windows() {
+  xvfb-run -a -s "-noreset -screen 0 1280x1024x24" \
+    env -u VOLUMEOPTICS_HEADLESS bash -c "$(declare -f run_ctest); set -o pipefail; build=$build;"'
+      run_ctest "$@"' bash "$build/ctest-x.log" "$@"
+}
+
+# Filters have no window, and were tested in the first run.
+test_without_display() {
+  (
+    unset DISPLAY
+    export VOLUMEOPTICS_HEADLESS=1
+    run_ctest "$build/ctest-headless.log" -LE '^filter$' "$@"
+  )
+}
+
+closing_lines() {
+  echo
+  echo "== $1"
+  sed -n '/tests passed/,$p' "$2"
+}
+
+step "packages" install_packages
+[ ${#failures[@]} -eq 0 ] || exit 1
+step "format" Module/check-style.sh
+step "build" build
+case " ${failures[*]:-} " in
+  *" build "*) exit 1 ;;
+esac
+step "clang-tidy" Module/check-style.sh --tidy "$build"
+step "tests in X windows" test_in_x_windows "$@"
+step "tests without a display" test_without_display "$@"
+
+closing_lines "tests without a display" "$build/ctest-headless.log"
+closing_lines "tests in X windows" "$build/ctest-x.log"
+if [ ${#failures[@]} -gt 0 ]; then
+  echo
+  printf 'Failed: %s\n' "${failures[@]}"
+  exit 1
+fi
