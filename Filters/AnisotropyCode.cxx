@@ -15,19 +15,18 @@ int NumberOfCodeComponents(Storage storage)
   return storage == Storage::World ? 5 : 3;
 }
 
-void EncodeAnisotropy(
-  Storage storage, const glm::dvec3& normal, const glm::dvec2& anisotropy, float* code)
+void EncodeAnisotropy(Storage storage, const glm::dvec3& normal, const glm::dvec2& anisotropy, float* code)
 {
   if (storage == Storage::World)
   {
     const optics::WorldTensor tensor = optics::EncodeWorld(normal, anisotropy);
-    const double numbers[5] = { tensor.diagonal.x, tensor.diagonal.y, tensor.diagonal.z,
-      tensor.mixed.x, tensor.mixed.y };
+    const double numbers[5] = { tensor.diagonal.x, tensor.diagonal.y, tensor.diagonal.z, tensor.mixed.x,
+      tensor.mixed.y };
     std::copy(numbers, numbers + 5, code);
     return;
   }
-  const glm::dvec3 numbers = storage == Storage::Map ? optics::EncodeMap(normal, anisotropy)
-                                                     : optics::EncodeComponents(anisotropy);
+  const glm::dvec3 numbers =
+    storage == Storage::Map ? optics::EncodeMap(normal, anisotropy) : optics::EncodeComponents(anisotropy);
   std::copy(&numbers.x, &numbers.x + 3, code);
 }
 
@@ -38,8 +37,7 @@ bool AnisotropyOf(const glm::dvec3& tangentCovariance, glm::dvec2& anisotropy)
   {
     return false;
   }
-  anisotropy =
-    glm::dvec2(tangentCovariance.x - tangentCovariance.z, 2.0 * tangentCovariance.y) / trace;
+  anisotropy = glm::dvec2(tangentCovariance.x - tangentCovariance.z, 2.0 * tangentCovariance.y) / trace;
   // Rounding of a perfect line may exceed 1.
   const double strength = glm::length(anisotropy);
   anisotropy /= std::max(strength, 1.0);

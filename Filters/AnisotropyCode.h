@@ -23,8 +23,7 @@ enum class Storage
 int NumberOfCodeComponents(Storage storage);
 
 // normal: unit. anisotropy: (Ctt - Cpp, 2 Ctp)/(Ctt + Cpp). code: 3 numbers, World 5: xx yy xy xz yz.
-void EncodeAnisotropy(
-  Storage storage, const glm::dvec3& normal, const glm::dvec2& anisotropy, float* code);
+void EncodeAnisotropy(Storage storage, const glm::dvec3& normal, const glm::dvec2& anisotropy, float* code);
 
 // From (Ctt, Ctp, Cpp); false if the trace gives none.
 bool AnisotropyOf(const glm::dvec3& tangentCovariance, glm::dvec2& anisotropy);

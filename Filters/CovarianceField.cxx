@@ -35,8 +35,8 @@ glm::dmat3 WorldCovariance(const glm::dvec3& normal, const glm::dvec3& c)
 
 glm::dvec3 TangentCovariance(const glm::dvec3& normal, const double* tensor)
 {
-  const glm::dmat3 world(tensor[0], tensor[3], tensor[4], tensor[3], tensor[1], tensor[5],
-    tensor[4], tensor[5], tensor[2]);
+  const glm::dmat3 world(
+    tensor[0], tensor[3], tensor[4], tensor[3], tensor[1], tensor[5], tensor[4], tensor[5], tensor[2]);
   const optics::TangentBasis basis = optics::SphericalBasis(normal);
   return { glm::dot(basis.theta, world * basis.theta), glm::dot(basis.theta, world * basis.phi),
     glm::dot(basis.phi, world * basis.phi) };
@@ -117,12 +117,11 @@ void CovarianceField::SetNormals(
   }
 }
 
-void CovarianceField::StoreCode(const glm::dvec3& normal, const glm::dvec3& tangentCovariance,
-  double accepted, float* code) const
+void CovarianceField::StoreCode(
+  const glm::dvec3& normal, const glm::dvec3& tangentCovariance, double accepted, float* code) const
 {
   glm::dvec2 anisotropy;
-  if (normal == glm::dvec3(0.0) || accepted < LeastAccepted ||
-    !AnisotropyOf(tangentCovariance, anisotropy))
+  if (normal == glm::dvec3(0.0) || accepted < LeastAccepted || !AnisotropyOf(tangentCovariance, anisotropy))
   {
     return; // stays NaN
   }
@@ -159,8 +158,7 @@ void CovarianceField::StoreTensors(
     if (normals[i] != glm::dvec3(0.0) && row.GetAccepted(i) >= LeastAccepted)
     {
       const glm::dmat3 c = WorldCovariance(normals[i], row.GetTangentCovariance(i));
-      const double numbers[7] = { c[0][0], c[1][1], c[2][2], c[0][1], c[0][2], c[1][2],
-        row.GetAccepted(i) };
+      const double numbers[7] = { c[0][0], c[1][1], c[2][2], c[0][1], c[0][2], c[1][2], row.GetAccepted(i) };
       std::copy(numbers, numbers + 7, tensor);
     }
   }
@@ -181,8 +179,8 @@ bool CovarianceField::Compute(Batches& batches, VoxelBox<float>& codes)
     this->Tensors = VoxelBox<float>(box, 7, 0);
     this->FilterNormals = VoxelBox<float>(box, 3, 0);
   }
-  const std::vector<Extent> tiles = SplitIntoTiles(
-    box, CovarianceSampler::BlockSize, SamplesPerTile / this->Sampler.GetWorkPerVoxel());
+  const std::vector<Extent> tiles =
+    SplitIntoTiles(box, CovarianceSampler::BlockSize, SamplesPerTile / this->Sampler.GetWorkPerVoxel());
   const bool isComplete = batches.Run(tiles.size(), isFiltered ? 0.7 : 0.95, [&](long long unit) {
     const Extent& tile = tiles[unit];
     std::vector<CovarianceRows> rows;
@@ -206,8 +204,7 @@ bool CovarianceField::Compute(Batches& batches, VoxelBox<float>& codes)
 bool CovarianceField::Filter(Batches& batches, VoxelBox<float>& codes)
 {
   const std::vector<Extent> tiles = SplitIntoTiles(codes.GetBox(), 16, 1.0e5);
-  return batches.Run(
-    tiles.size(), 0.95, [&](long long unit) { this->FilterTile(tiles[unit], codes); });
+  return batches.Run(tiles.size(), 0.95, [&](long long unit) { this->FilterTile(tiles[unit], codes); });
 }
 
 void CovarianceField::FilterTile(const Extent& tile, VoxelBox<float>& codes) const

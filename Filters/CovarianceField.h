@@ -42,8 +42,10 @@ public:
 
 private:
   bool LoadScalars(Batches& batches, const Extent& box);
-  void SetNormals(const Extent& tile, std::vector<CovarianceRows>& rows, std::vector<glm::dvec3>& normals) const;
-  void StoreCode(const glm::dvec3& normal, const glm::dvec3& tangentCovariance, double accepted, float* code) const;
+  void SetNormals(
+    const Extent& tile, std::vector<CovarianceRows>& rows, std::vector<glm::dvec3>& normals) const;
+  void StoreCode(
+    const glm::dvec3& normal, const glm::dvec3& tangentCovariance, double accepted, float* code) const;
   void StoreCodes(const glm::dvec3* normals, const CovarianceRows& row, int y, int z, VoxelBox<float>& codes);
   void StoreTensors(const glm::dvec3* normals, const CovarianceRows& row, int y, int z, VoxelBox<float>&);
   bool Filter(Batches& batches, VoxelBox<float>& codes);

@@ -83,8 +83,7 @@ struct Moments
     const Vector x = hn::Set(lanes, world[0]);
     const Vector y = hn::Set(lanes, world[1]);
     const Vector z = hn::Set(lanes, world[2]);
-    const Vector theta =
-      hn::MulAdd(Theta[0], x, hn::MulAdd(Theta[1], y, hn::MulSub(Theta[2], z, MeanTheta)));
+    const Vector theta = hn::MulAdd(Theta[0], x, hn::MulAdd(Theta[1], y, hn::MulSub(Theta[2], z, MeanTheta)));
     const Vector phi = hn::MulAdd(Phi[0], x, hn::MulSub(Phi[1], y, MeanPhi));
     const Vector rest = hn::NegMulAdd(phi, phi, hn::NegMulAdd(theta, theta, hn::Set(lanes, 1.0f)));
     const Vector weight = hn::IfThenElseZero(accepted, hn::Max(rest, hn::Zero(lanes)));
@@ -110,8 +109,8 @@ HWY_INLINE bool HasWork(const CovarianceRow& row, std::size_t x)
 {
   const Lanes lanes;
   const Vector zero = hn::Zero(lanes);
-  const Vector inPlane = hn::Add(
-    hn::Abs(hn::LoadU(lanes, row.Phi[0] + x)), hn::Abs(hn::LoadU(lanes, row.Phi[1] + x)));
+  const Vector inPlane =
+    hn::Add(hn::Abs(hn::LoadU(lanes, row.Phi[0] + x)), hn::Abs(hn::LoadU(lanes, row.Phi[1] + x)));
   if (!hn::AllTrue(lanes, hn::Eq(inPlane, zero)))
   {
     return true;

@@ -17,8 +17,8 @@ const int KernelPadding = 16;
 struct CovarianceRow
 {
   int Count;
-  float Tolerance;      // half width of the accepted scalars
-  const float* Scalars; // of the voxels themselves; NaN for no value
+  float Tolerance;       // half width of the accepted scalars
+  const float* Scalars;  // of the voxels themselves; NaN for no value
   const float* Theta[3]; // the tangent basis in world axes
   const float* Phi[2];   // its z is 0
   float* ThetaTheta;     // sums of C, lengths in radii

@@ -77,8 +77,8 @@ public:
   const std::vector<Sample>& ForRow(int y, int z)
   {
     const Extent& box = this->Scalars.GetBox();
-    if (y - this->Reach[1] >= box[2] && y + this->Reach[1] <= box[3] &&
-      z - this->Reach[2] >= box[4] && z + this->Reach[2] <= box[5])
+    if (y - this->Reach[1] >= box[2] && y + this->Reach[1] <= box[3] && z - this->Reach[2] >= box[4] &&
+      z + this->Reach[2] <= box[5])
     {
       return this->All;
     }
@@ -164,8 +164,8 @@ CovarianceSampler::CovarianceSampler(const ImageGrid& grid, const CovarianceSett
   }
   else if (settings.Pattern == Sampling::Shared)
   {
-    this->Fixed = MakePattern(this->Neighbourhood, settings.NumberOfSamples,
-      Mixed(settings.Seed), settings.Interpolated);
+    this->Fixed =
+      MakePattern(this->Neighbourhood, settings.NumberOfSamples, Mixed(settings.Seed), settings.Interpolated);
   }
 }
 
@@ -193,18 +193,17 @@ std::vector<SampleOffset> CovarianceSampler::BlockPattern(const Extent& box) con
 {
   const std::uint64_t key =
     MixedPosition(Mixed(this->Settings.Seed), BlockOf(box[0]), BlockOf(box[2]), BlockOf(box[4]));
-  return MakePattern(
-    this->Neighbourhood, this->Settings.NumberOfSamples, key, this->Settings.Interpolated);
+  return MakePattern(this->Neighbourhood, this->Settings.NumberOfSamples, key, this->Settings.Interpolated);
 }
 
-void CovarianceSampler::SampleBox(const VoxelBox<float>& scalars,
-  const std::vector<SampleOffset>& pattern, const Extent& box, int firstX, CovarianceRows* rows) const
+void CovarianceSampler::SampleBox(const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern,
+  const Extent& box, int firstX, CovarianceRows* rows) const
 {
   const double tolerance = this->Settings.Tolerance;
   if (this->Settings.Interpolated && this->Settings.Pattern != Sampling::Exhaustive)
   {
-    AccumulateBox(KernelSamples<LinearSample>(scalars, pattern, MakeLinear), scalars, box, firstX,
-      tolerance, rows, AccumulateLinear);
+    AccumulateBox(KernelSamples<LinearSample>(scalars, pattern, MakeLinear), scalars, box, firstX, tolerance,
+      rows, AccumulateLinear);
   }
   else
   {

@@ -66,8 +66,8 @@ public:
 
 private:
   std::vector<SampleOffset> BlockPattern(const Extent& box) const;
-  void SampleBox(const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern,
-    const Extent& box, int firstX, CovarianceRows* rows) const;
+  void SampleBox(const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern, const Extent& box,
+    int firstX, CovarianceRows* rows) const;
   void SampleVoxels(const VoxelBox<float>& scalars, const Extent& tile, CovarianceRows* rows) const;
 
   CovarianceSettings Settings;

@@ -77,7 +77,8 @@ VoxelBox<double> GaussianFilter::ApplyAlong(
         const double weight = this->Weights[axis][std::abs(shift)];
         const double* from = weighted.At(x0 + dx, fromY, fromZ);
         const std::size_t start = static_cast<std::size_t>(x0 - box[0]) * components;
-        const std::size_t end = std::min(length, static_cast<std::size_t>(std::max(x1 - box[0] + 1, 0)) * components);
+        const std::size_t end =
+          std::min(length, static_cast<std::size_t>(std::max(x1 - box[0] + 1, 0)) * components);
         for (std::size_t i = start; i < end; ++i)
         {
           to[i] += weight * from[i - start];

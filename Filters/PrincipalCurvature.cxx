@@ -65,7 +65,8 @@ glm::dvec3 TangentCurvature(const glm::dvec3& normal, double magnitude, const gl
   const optics::TangentBasis basis = optics::SphericalBasis(normal);
   const glm::dvec3 alongTheta = hessian * basis.theta;
   return -glm::dvec3(glm::dot(basis.theta, alongTheta), glm::dot(basis.phi, alongTheta),
-           glm::dot(basis.phi, hessian * basis.phi)) / magnitude;
+           glm::dot(basis.phi, hessian * basis.phi)) /
+    magnitude;
 }
 
 glm::dvec2 AnisotropyOfCurvature(const glm::dvec3& k)

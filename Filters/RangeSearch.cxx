@@ -66,8 +66,8 @@ bool RangeSearch::Add(Batches& batches, const ImageRows& rows)
 {
   const auto tiles = SplitIntoTiles(rows.GetBox(), 32, 1.0e6);
   std::vector<ValueRange> ranges(tiles.size(), Nothing);
-  const bool isComplete = batches.Run(
-    tiles.size(), 0.0, [&](long long unit) { ranges[unit] = RangeOf(rows, tiles[unit]); });
+  const bool isComplete =
+    batches.Run(tiles.size(), 0.0, [&](long long unit) { ranges[unit] = RangeOf(rows, tiles[unit]); });
   for (const ValueRange& range : ranges)
   {
     const ValueRange united = United({ this->Range[0], this->Range[1] }, range);

@@ -77,8 +77,7 @@ void vtkAmbientCovarianceFilter::SetRadius(double radius)
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetScalarTolerance(double tolerance)
 {
-  const double value =
-    this->WithinRange("ScalarTolerance", tolerance, 0.0, 1.0, this->ScalarTolerance);
+  const double value = this->WithinRange("ScalarTolerance", tolerance, 0.0, 1.0, this->ScalarTolerance);
   if (value != this->ScalarTolerance)
   {
     this->ScalarTolerance = value;
@@ -106,8 +105,8 @@ void vtkAmbientCovarianceFilter::SetScalarRange(double least, double largest)
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetNumberOfSamples(int number)
 {
-  const int value = static_cast<int>(
-    this->WithinRange("NumberOfSamples", number, 3, 65536, this->NumberOfSamples));
+  const int value =
+    static_cast<int>(this->WithinRange("NumberOfSamples", number, 3, 65536, this->NumberOfSamples));
   if (value != this->NumberOfSamples)
   {
     this->NumberOfSamples = value;
@@ -209,10 +208,9 @@ int vtkAmbientCovarianceFilter::RequestUpdateExtent(
   if (inputs[1]->GetNumberOfInformationObjects() > 0)
   {
     Extent extent;
-    outputs->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
-    volumeoptics::Halo halo = volumeoptics::CovarianceField::GetFilterReach(
-      grid, this->FilterStandardDeviation * grid.VoxelLength);
+    outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+    volumeoptics::Halo halo =
+      volumeoptics::CovarianceField::GetFilterReach(grid, this->FilterStandardDeviation * grid.VoxelLength);
     std::for_each(halo.begin(), halo.end(), [](int& voxels) { ++voxels; });
     extent = volumeoptics::IsEmpty(extent) ? extent : volumeoptics::Grown(extent, halo, grid.Whole);
     inputs[1]->GetInformationObject(0)->Set(
@@ -222,11 +220,9 @@ int vtkAmbientCovarianceFilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-bool vtkAmbientCovarianceFilter::FindRange(
-  vtkInformationVector** inputs, vtkDataArray* scalars)
+bool vtkAmbientCovarianceFilter::FindRange(vtkInformationVector** inputs, vtkDataArray* scalars)
 {
-  auto* pipeline =
-    vtkDemandDrivenPipeline::SafeDownCast(this->GetInputAlgorithm(0, 0)->GetExecutive());
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetInputAlgorithm(0, 0)->GetExecutive());
   const volumeoptics::RangeSearch::Key key = { pipeline ? pipeline->GetPipelineMTime() : 0,
     scalars->GetName() ? scalars->GetName() : "", this->InputComponent };
   if (!this->Search->IsSearching() && this->Search->IsKnown(key))
@@ -234,8 +230,7 @@ bool vtkAmbientCovarianceFilter::FindRange(
     return true;
   }
   const Extent whole = this->GetGrid(inputs).InputWhole;
-  const volumeoptics::ImageRows rows(
-    vtkImageData::GetData(inputs[0]), scalars, this->InputComponent);
+  const volumeoptics::ImageRows rows(vtkImageData::GetData(inputs[0]), scalars, this->InputComponent);
   const bool isSlab = this->Search->IsSearching();
   const bool isWhole = !isSlab && volumeoptics::Contains(rows.GetBox(), whole);
   if (!isSlab)
@@ -276,22 +271,22 @@ int vtkAmbientCovarianceFilter::RequestData(
 }
 
 //------------------------------------------------------------------------------
-bool vtkAmbientCovarianceFilter::ComputeCodes(const ImageGrid& grid,
-  const volumeoptics::ImageRows& rows, vtkInformationVector** inputs,
-  volumeoptics::Batches& batches, volumeoptics::VoxelBox<float>& codes)
+bool vtkAmbientCovarianceFilter::ComputeCodes(const ImageGrid& grid, const volumeoptics::ImageRows& rows,
+  vtkInformationVector** inputs, volumeoptics::Batches& batches, volumeoptics::VoxelBox<float>& codes)
 {
   std::unique_ptr<volumeoptics::NormalSource> normals;
   if (vtkImageData* image = vtkImageData::GetData(inputs[1]))
   {
     Extent whole;
-    inputs[1]->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
+    inputs[1]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
     vtkDataArray* array = FindNormals(image);
     if (!array || whole != grid.Whole)
     {
-      vtkErrorMacro(<< "The second input " << (array ? "has another extent than the output"
-                                                     : "has no point array of 3 components called Normals")
-                    << ". Give it the output of vtkSobelNormalFilter with the same ResolutionFactor, or none.");
+      vtkErrorMacro(
+        << "The second input "
+        << (array ? "has another extent than the output"
+                  : "has no point array of 3 components called Normals")
+        << ". Give it the output of vtkSobelNormalFilter with the same ResolutionFactor, or none.");
       return false;
     }
     normals = std::make_unique<volumeoptics::NormalSource>(image, array);
@@ -300,8 +295,8 @@ bool vtkAmbientCovarianceFilter::ComputeCodes(const ImageGrid& grid,
   const double* range = this->HasScalarRange() ? this->ScalarRange : this->Search->GetRange();
   const volumeoptics::CovarianceFieldSettings settings = {
     { this->Radius * unit, this->ScalarTolerance, this->NumberOfSamples,
-      static_cast<volumeoptics::Sampling>(this->SamplingPattern),
-      this->SampleInterpolation == Linear, this->Seed },
+      static_cast<volumeoptics::Sampling>(this->SamplingPattern), this->SampleInterpolation == Linear,
+      this->Seed },
     { range[0], range[1] }, this->FilterStandardDeviation * unit, this->NoiseCorrection,
     static_cast<volumeoptics::Storage>(this->Storage)
   };

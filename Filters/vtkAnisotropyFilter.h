@@ -62,8 +62,7 @@ protected:
    * output's, grown by one voxel. False on abort or error.
    */
   virtual bool ComputeCodes(const volumeoptics::ImageGrid& grid, const volumeoptics::ImageRows& rows,
-    vtkInformationVector** inputs, volumeoptics::Batches& batches,
-    volumeoptics::VoxelBox<float>& codes) = 0;
+    vtkInformationVector** inputs, volumeoptics::Batches& batches, volumeoptics::VoxelBox<float>& codes) = 0;
 
   bool ComputeArrays(const volumeoptics::ImageGrid& grid, const volumeoptics::ImageRows& rows,
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) override;

@@ -17,8 +17,7 @@ vtkStandardNewMacro(vtkPrincipalCurvatureFilter);
 namespace
 {
 void StoreTile(const volumeoptics::ImageGrid& grid, const volumeoptics::ScalarSource& source,
-  const volumeoptics::Extent& tile, volumeoptics::Storage storage,
-  volumeoptics::VoxelBox<float>& codes)
+  const volumeoptics::Extent& tile, volumeoptics::Storage storage, volumeoptics::VoxelBox<float>& codes)
 {
   volumeoptics::GradientTile gradients(grid, source, tile);
   for (int z = tile[4]; z <= tile[5]; ++z)
@@ -30,8 +29,7 @@ void StoreTile(const volumeoptics::ImageGrid& grid, const volumeoptics::ScalarSo
       codes.SetRow(y, z, volumeoptics::NoValue<float>());
       for (int x = tile[0]; x <= tile[1]; ++x)
       {
-        const volumeoptics::NormalAndMagnitude surface =
-          volumeoptics::NormalOf(gradient[x - tile[0]]);
+        const volumeoptics::NormalAndMagnitude surface = volumeoptics::NormalOf(gradient[x - tile[0]]);
         if (surface.Magnitude > 0.0)
         {
           const glm::dvec3 curvature =
@@ -66,8 +64,8 @@ bool vtkPrincipalCurvatureFilter::ComputeCodes(const volumeoptics::ImageGrid& gr
   const volumeoptics::ScalarSource source(grid, rows, this->Smoothing * grid.VoxelLength);
   const auto tiles = volumeoptics::SplitIntoTiles(codes.GetBox(), 16, 1.0e5);
   const auto storage = static_cast<volumeoptics::Storage>(this->Storage);
-  return batches.Run(tiles.size(), 0.9,
-    [&](long long unit) { StoreTile(grid, source, tiles[unit], storage, codes); });
+  return batches.Run(
+    tiles.size(), 0.9, [&](long long unit) { StoreTile(grid, source, tiles[unit], storage, codes); });
 }
 
 //------------------------------------------------------------------------------

@@ -19,7 +19,8 @@ namespace
 {
 namespace testing
 {
-[[maybe_unused]] optics::AnisotropyFrame FrameAt(vtkImageData* covariance, vtkImageData* normals, vtkIdType point)
+[[maybe_unused]] optics::AnisotropyFrame FrameAt(
+  vtkImageData* covariance, vtkImageData* normals, vtkIdType point)
 {
   double code[3];
   glm::dvec3 normal;
@@ -69,8 +70,9 @@ namespace testing
     {
       code[c] += weight * codes->GetComponent(point, c);
     }
-    normal += weight * glm::dvec3(directions->GetComponent(point, 0),
-                         directions->GetComponent(point, 1), directions->GetComponent(point, 2));
+    normal += weight *
+      glm::dvec3(directions->GetComponent(point, 0), directions->GetComponent(point, 1),
+        directions->GetComponent(point, 2));
   }
   normal = glm::normalize(normal);
   return optics::EigenFrame(normal, Decoded(storage, normal, code));

@@ -71,7 +71,8 @@ int TestAmbientCovarianceFilterPatterns(int, char*[])
     for (int pattern = Filter::Shared; pattern <= Filter::PerVoxel; ++pattern)
     {
       filter->SetSamplingPattern(pattern);
-      errors[pattern] = measure(std::string(filter->GetSamplingPatternAsString()) + " " + std::to_string(number));
+      errors[pattern] =
+        measure(std::string(filter->GetSamplingPatternAsString()) + " " + std::to_string(number));
     }
     report.CheckAtMost(errors[0].Angle, 1.15 * errors[2].Angle, "Shared against PerVoxel, angle");
     report.CheckAtMost(errors[1].Angle, 1.15 * errors[2].Angle, "PerBlock against PerVoxel, angle");

@@ -20,7 +20,8 @@ struct Errors
 };
 
 template <typename IsUsed>
-Errors ErrorsOf(vtkImageData* covariance, vtkImageData* normals, int storage, const glm::dvec3& axis, IsUsed isUsed)
+Errors ErrorsOf(
+  vtkImageData* covariance, vtkImageData* normals, int storage, const glm::dvec3& axis, IsUsed isUsed)
 {
   Errors errors;
   int count = 0;
@@ -70,8 +71,8 @@ void CheckFace(testing::Report& report)
   {
     filter->SetStorage(storage);
     filter->Update();
-    const Errors errors = ErrorsOf(filter->GetOutput(), normals, storage, glm::dvec3(1, 0, 0),
-      [](const glm::dvec3&) { return true; });
+    const Errors errors = ErrorsOf(
+      filter->GetOutput(), normals, storage, glm::dvec3(1, 0, 0), [](const glm::dvec3&) { return true; });
     const std::string name = std::string("face, ") + filter->GetStorageAsString();
     if (storage == vtkAmbientCovarianceFilter::Components)
     {
@@ -108,8 +109,10 @@ void CheckTube(testing::Report& report)
   {
     filter->SetStorage(storage);
     filter->Update();
-    const Errors errors = ErrorsOf(filter->GetOutput(), normals->GetOutput(), storage, axis,
-      [&](const glm::dvec3& p) { return std::abs(distance(p) - 5.0) < 0.5 && glm::length(p - middle) < 11.0; });
+    const Errors errors =
+      ErrorsOf(filter->GetOutput(), normals->GetOutput(), storage, axis, [&](const glm::dvec3& p) {
+        return std::abs(distance(p) - 5.0) < 0.5 && glm::length(p - middle) < 11.0;
+      });
     const std::string name = std::string("tube, ") + filter->GetStorageAsString();
     if (storage == vtkAmbientCovarianceFilter::Components)
     {

@@ -77,8 +77,8 @@ void CheckProgress(vtkOpticsImageFilter* filter, vtkImageData* image, testing::R
 }
 
 // The longest time between two events bounds the wait for an abort at any time.
-void CheckAbort(vtkOpticsImageFilter* filter, vtkImageData* image, const std::string& setting,
-  testing::Report& report)
+void CheckAbort(
+  vtkOpticsImageFilter* filter, vtkImageData* image, const std::string& setting, testing::Report& report)
 {
   const std::string name = std::string(filter->GetClassName()) + " " + setting;
   Watch watch;
@@ -115,7 +115,8 @@ int TestFilterProgressAndAbort(int, char*[])
   CheckAbort(sobel, image, "", report);
   CheckAbort(curvature, image, "", report);
   covariance->SetRadius(30.0);
-  for (int pattern = vtkAmbientCovarianceFilter::Shared; pattern <= vtkAmbientCovarianceFilter::Exhaustive; ++pattern)
+  for (int pattern = vtkAmbientCovarianceFilter::Shared; pattern <= vtkAmbientCovarianceFilter::Exhaustive;
+       ++pattern)
   {
     covariance->SetSamplingPattern(pattern);
     CheckAbort(covariance, image, covariance->GetSamplingPatternAsString(), report);

@@ -118,7 +118,8 @@ void CheckInputs(Checker& checker)
     filter->SetInputData(input);
     filter->Update();
     checker.One(part, part);
-    checker.Report.Check(filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, "the output is empty");
+    checker.Report.Check(
+      filter->GetOutput()->GetPointData()->GetNumberOfArrays() == 0, "the output is empty");
   };
   run(empty, "point scalars");
   filter->SetInputComponent(3);

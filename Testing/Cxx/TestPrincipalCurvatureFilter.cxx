@@ -54,20 +54,24 @@ int TestPrincipalCurvatureFilter(int, char*[])
   testing::Report report;
   const glm::dvec3 axis = glm::normalize(glm::dvec3(0.5, -0.2, 0.8));
   auto across = [&](const glm::dvec3& p) { return p - glm::dot(p, axis) * axis; };
-  const Means cylinder = MeansOf([&](const glm::dvec3& p) { return glm::length(across(p)); }, axis, 5.0, 10.0);
+  const Means cylinder =
+    MeansOf([&](const glm::dvec3& p) { return glm::length(across(p)); }, axis, 5.0, 10.0);
   report.CheckAtLeast(cylinder.Strength, 0.95, "cylinder: strength");
   report.CheckAtMost(cylinder.Angle, 1.0, "cylinder: angle from the axis, degrees");
-  const Means hollow = MeansOf([&](const glm::dvec3& p) { return -glm::length(across(p)); }, axis, -10.0, -5.0);
+  const Means hollow =
+    MeansOf([&](const glm::dvec3& p) { return -glm::length(across(p)); }, axis, -10.0, -5.0);
   report.CheckAtLeast(hollow.Strength, 0.95, "hollow cylinder: strength");
   report.CheckAtMost(hollow.Angle, 1.0, "hollow cylinder: angle from the axis, degrees");
   const Means sphere = MeansOf([](const glm::dvec3& p) { return glm::length(p); }, axis, 6.0, 11.0);
   report.CheckAtMost(sphere.Strength, 0.05, "sphere: strength");
   const Means plane = MeansOf([&](const glm::dvec3& p) { return glm::dot(p, axis); }, axis, -8.0, 8.0);
   report.CheckAtMost(plane.Strength, 1.0e-3, "plane: strength");
-  const Means ellipsoid = MeansOf([&](const glm::dvec3& p) {
-    const glm::dvec3 q = across(p);
-    return std::sqrt(glm::dot(q, q) + 0.1 * glm::dot(p, axis) * glm::dot(p, axis));
-  }, axis, 5.0, 8.0);
+  const Means ellipsoid = MeansOf(
+    [&](const glm::dvec3& p) {
+      const glm::dvec3 q = across(p);
+      return std::sqrt(glm::dot(q, q) + 0.1 * glm::dot(p, axis) * glm::dot(p, axis));
+    },
+    axis, 5.0, 8.0);
   report.CheckAtLeast(ellipsoid.Strength, 0.5, "prolate ellipsoid: strength");
   report.CheckAtMost(ellipsoid.Strength, 0.95, "prolate ellipsoid: strength");
   return report.ExitCode();
