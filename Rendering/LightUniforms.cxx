@@ -10,6 +10,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTransform.h"
+#include "vtkVersion.h"
 
 #include <array>
 #include <cmath>
@@ -66,6 +67,28 @@ void SetVectors(vtkShaderProgram* program, const char* name, const std::vector<V
       name, static_cast<int>(vectors.size()), reinterpret_cast<const float(*)[3]>(vectors.data()));
   }
 }
+}
+
+//------------------------------------------------------------------------------
+LightLimit::LightLimit(vtkRenderer* renderer)
+{
+  int count = 0;
+  ForEachLight(renderer, [&](vtkLight* light) {
+    if (++count > Largest && vtkVersion::GetVTKMajorVersion() == 9 && vtkVersion::GetVTKMinorVersion() < 2)
+    {
+      light->SwitchOff();
+      this->LeftOut.push_back(light);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+LightLimit::~LightLimit()
+{
+  for (vtkLight* light : this->LeftOut)
+  {
+    light->SwitchOn();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,31 @@
 #ifndef LightUniforms_h
 #define LightUniforms_h
 
+#include <vector>
+
+class vtkLight;
 class vtkRenderer;
 class vtkShaderProgram;
+
+/**
+ * VTK 9.1's volume mapper copies the lights that are switched on into arrays of six, on its stack,
+ * without counting. While this lives, those beyond are switched off.
+ */
+class LightLimit
+{
+public:
+  static constexpr int Largest = 6;
+
+  explicit LightLimit(vtkRenderer* renderer);
+  ~LightLimit();
+  int GetNumberOfLightsLeftOut() const { return static_cast<int>(this->LeftOut.size()); }
+
+private:
+  LightLimit(const LightLimit&) = delete;
+  void operator=(const LightLimit&) = delete;
+
+  std::vector<vtkLight*> LeftOut;
+};
 
 /** Lights that are switched on. */
 int CountLights(vtkRenderer* renderer);

@@ -26,6 +26,8 @@
 #define VOLUMEOPTICS_VTK_HAS_HEADLESS_WINDOW
 #endif
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkHeadlessRenderWindow);
 
 //------------------------------------------------------------------------------
@@ -170,6 +172,17 @@ int vtkHeadlessRenderWindow::SupportsOpenGL()
 {
   this->Initialize();
   return this->Context && this->Initialized ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeadlessRenderWindow::GetColorBufferSizes(int* rgba)
+{
+  if (!rgba)
+  {
+    return 0;
+  }
+  std::fill(rgba, rgba + 4, 8); // vtkOpenGLRenderWindow's own framebuffer
+  return 32;
 }
 
 //------------------------------------------------------------------------------

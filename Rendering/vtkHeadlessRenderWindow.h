@@ -67,6 +67,9 @@ public:
   void ReleaseCurrent() override;
   int SupportsOpenGL() override;
   vtkTypeBool IsDirect() override;
+
+  /** Bits of red, green, blue and alpha of what is drawn into; VTK would ask a window's own buffer. */
+  int GetColorBufferSizes(int* rgba) override;
   void OpenGLInitContext() override;
 
 protected:

@@ -4,6 +4,7 @@
 #include "vtkOpticsVolumeMapper.h"
 
 #include "DefaultOptics.h"
+#include "LightUniforms.h"
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
@@ -25,6 +26,7 @@
 #include "vtkVolumeTexture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -47,6 +49,17 @@ public:
 
 namespace
 {
+// Points on the curves of docs/accuracy.md, in the order of QualityType.
+struct Preset
+{
+  double StepInVoxels;
+  double ResolutionFactor;
+  int Bits;
+  int Samples;
+  double FilterStandardDeviation; // voxels
+};
+const Preset Presets[] = { {}, { 1.0, 0.5, 8, 100, 1.0 }, { 0.5, 1.0, 8, 300, 1.0 }, { 0.25, 1.0, 16, 1000, 1.0 } };
+
 // Opacity depends on the first component, or on the last one where the components belong together.
 int OpacityComponent(vtkDataArray* scalars, vtkVolumeProperty* property)
 {
@@ -140,6 +153,13 @@ vtkOpticsVolumeMapper::~vtkOpticsVolumeMapper() = default;
 void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
   renderer->GetRenderWindow()->MakeCurrent();
+  this->UpdateSampleDistance(renderer);
+  const LightLimit limit(renderer);
+  if (limit.GetNumberOfLightsLeftOut() > 0)
+  {
+    this->Say("The renderer has more lights than the " + std::to_string(LightLimit::Largest) +
+      " that this VTK's volume shader holds: the last ones are left out.");
+  }
   const OpticsScene scene = this->Terms->GetScene(this, renderer, volume);
   const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
   if (active.empty())
@@ -251,6 +271,39 @@ void vtkOpticsVolumeMapper::SetQuality(int quality)
 {
   this->Quality = std::clamp(quality, static_cast<int>(Custom), static_cast<int>(Reference));
   this->Modified();
+  if (this->Quality == Custom)
+  {
+    this->StepInVoxels = 0.0;
+    return;
+  }
+  const Preset& preset = Presets[this->Quality];
+  this->StepInVoxels = preset.StepInVoxels;
+  this->SetFrameResolutionFactor(preset.ResolutionFactor);
+  this->SetFramePrecision(preset.Bits);
+  this->GetAmbientCovarianceFilter()->SetNumberOfSamples(preset.Samples);
+  this->GetAmbientCovarianceFilter()->SetFilterStandardDeviation(preset.FilterStandardDeviation);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetSampleDistance(float distance)
+{
+  this->StepInVoxels = 0.0;
+  this->Superclass::SetSampleDistance(distance);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::UpdateSampleDistance(vtkRenderer* renderer)
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  if (this->StepInVoxels <= 0.0 || !image)
+  {
+    return;
+  }
+  const double* spacing = image->GetSpacing();
+  const double smallest = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  const double slack = this->IsInteractive(renderer) ? 2.0 : 1.0;
+  this->SetAutoAdjustSampleDistances(0);
+  this->Superclass::SetSampleDistance(static_cast<float>(this->StepInVoxels * slack * smallest));
 }
 
 //------------------------------------------------------------------------------

@@ -141,7 +141,8 @@ public:
   /**
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
-   * VTK's sample distance included; setting a knob after a preset keeps the others.
+   * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
+   * are 1, 1/2 and 1/4 of the smallest spacing, twice as long while the user interacts.
    */
   enum QualityType
   {
@@ -158,6 +159,11 @@ public:
   void SetQualityToReference() { this->SetQuality(Reference); }
   const char* GetQualityAsString();
   ///@}
+
+  /**
+   * VTK's sample distance. With a preset of Quality set before, it replaces the preset's own.
+   */
+  void SetSampleDistance(float distance) override;
 
   /** Names of the terms in the last frame, separated by commas; empty: VTK's own picture. */
   std::string GetActiveTerms();
@@ -190,7 +196,10 @@ private:
   vtkOpticsVolumeMapper(const vtkOpticsVolumeMapper&) = delete;
   void operator=(const vtkOpticsVolumeMapper&) = delete;
 
+  void UpdateSampleDistance(vtkRenderer* renderer);
+
   double FrameResolutionFactor = 1.0;
+  double StepInVoxels = 0.0; // of a preset; 0: the user's or VTK's
   int FramePrecision = 8;
   int ExtinctionGradient = Stored;
   int Quality = Custom;

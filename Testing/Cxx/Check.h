@@ -40,6 +40,16 @@ public:
     return this->Report(std::isfinite(value), what, value, "finite, not", value, 0.0);
   }
 
+  // what: the whole story, for what is no number
+  bool That(bool holds, const std::string& what)
+  {
+    if (!holds && ++this->Failures <= 100)
+    {
+      std::cout << "FAILED " << what << std::endl;
+    }
+    return holds;
+  }
+
   int ExitCode() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
 
 private:

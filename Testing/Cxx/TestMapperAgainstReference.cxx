@@ -120,7 +120,7 @@ Scene SceneOf(TestScene& stage, Frames& frames)
 
 int TestMapperAgainstReference(int, char*[])
 {
-  Verdict verdict;
+  Check check;
   Image phaseFunctionOnly;
   for (int model = vtkOpticsVolumeProperty::None; model <= vtkOpticsVolumeProperty::Lafortune; ++model)
   {
@@ -144,15 +144,15 @@ int TestMapperAgainstReference(int, char*[])
         std::string(stage.Property->GetReflectanceModelAsString()) + ", " + setting.name;
       std::cout << name << ": rms " << 255.0 * difference.rootMeanSquare << "/255, largest "
                 << 255.0 * difference.maximum << "/255\n";
-      verdict.Check(255.0 * difference.rootMeanSquare < setting.largestRootMeanSquare, name);
+      check.That(255.0 * difference.rootMeanSquare < setting.largestRootMeanSquare, name);
       if (&setting == &Settings[0])
       {
         phaseFunctionOnly = model == vtkOpticsVolumeProperty::None ? truth : phaseFunctionOnly;
         const double highlight = 255.0 * Compare(truth, phaseFunctionOnly).rootMeanSquare;
         std::cout << name << ": highlights of rms " << highlight << "/255\n";
-        verdict.Check(model == vtkOpticsVolumeProperty::None || highlight > 5.0, name + " has highlights");
+        check.That(model == vtkOpticsVolumeProperty::None || highlight > 5.0, name + " has highlights");
       }
     }
   }
-  return verdict.Result();
+  return check.ExitCode();
 }

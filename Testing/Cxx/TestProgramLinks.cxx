@@ -22,13 +22,13 @@ int LinksOf(TestScene& scene, const std::function<void()>& change)
 
 int TestProgramLinks(int, char*[])
 {
-  Verdict verdict;
+  Check check;
   TestScene scene;
   vtkOpticsVolumeProperty* property = scene.Property;
   property->SetReflectanceModelToWard();
   const auto expect = [&](int links, const std::string& name, const std::function<void()>& change) {
     const int actual = LinksOf(scene, change);
-    verdict.Check(actual == links,
+    check.That(actual == links,
       name + " linked " + std::to_string(actual) + " programs, not " + std::to_string(links));
   };
   expect(0, "Glossiness", [&] { property->SetGlossiness(0.05); });
@@ -43,5 +43,5 @@ int TestProgramLinks(int, char*[])
   expect(1, "ReflectanceModel", [&] { property->SetReflectanceModelToLafortune(); });
   expect(0, "a ReflectanceModel used before", [&] { property->SetReflectanceModelToWard(); });
   expect(1, "ExtinctionGradient", [&] { scene.Optics->SetExtinctionGradientToCentralDifferences(); });
-  return verdict.Result();
+  return check.ExitCode();
 }

@@ -22,7 +22,7 @@ using Setting = std::function<void(TestScene&)>;
 const int Models[] = { vtkOpticsVolumeProperty::None, vtkOpticsVolumeProperty::BlinnPhong,
   vtkOpticsVolumeProperty::Ward, vtkOpticsVolumeProperty::Lafortune };
 
-void Check(Verdict& verdict, const std::string& name, const Setting& setting)
+void CheckScene(Check& check, const std::string& name, const Setting& setting)
 {
   for (const int model : Models)
   {
@@ -34,11 +34,11 @@ void Check(Verdict& verdict, const std::string& name, const Setting& setting)
     scene.Renderer->ResetCamera();
     const std::string what = name + ", " + scene.Property->GetReflectanceModelAsString();
     scene.Window->Render();
-    verdict.Check(glGetError() == GL_NO_ERROR, what + ": OpenGL reports an error");
+    check.That(glGetError() == GL_NO_ERROR, what + ": OpenGL reports an error");
     const std::vector<float> pixels = scene.RenderFloat();
-    verdict.Check(AreFinite(pixels), what + ": a pixel is not finite");
-    verdict.Check(*std::min_element(pixels.begin(), pixels.end()) >= 0.0F, what + ": a pixel is below 0");
-    verdict.Check(scene.Optics->GetActiveTerms() == "Reflectance", what + ": the term is not active");
+    check.That(AreFinite(pixels), what + ": a pixel is not finite");
+    check.That(*std::min_element(pixels.begin(), pixels.end()) >= 0.0F, what + ": a pixel is below 0");
+    check.That(scene.Optics->GetActiveTerms() == "Reflectance", what + ": the term is not active");
   }
 }
 
@@ -111,47 +111,47 @@ void LightFrom(TestScene& scene, double x, double y, double z)
   scene.Renderer->AddLight(light);
 }
 
-void CheckParameters(Verdict& verdict)
+void CheckParameters(Check& check)
 {
-  Check(verdict, "exponent 0.01", [](TestScene& s) { SetGlossiness(s, 0.01); });
-  Check(verdict, "exponent 1e5", [](TestScene& s) { SetGlossiness(s, 1.0e5); });
-  Check(verdict, "roughness 1e-4",
+  CheckScene(check, "exponent 0.01", [](TestScene& s) { SetGlossiness(s, 0.01); });
+  CheckScene(check, "exponent 1e5", [](TestScene& s) { SetGlossiness(s, 1.0e5); });
+  CheckScene(check, "roughness 1e-4",
     [](TestScene& s) { s.Property->SetGlossiness(vtkOpticsVolumeProperty::Ward, 1.0e-4); });
-  Check(verdict, "roughness 1",
+  CheckScene(check, "roughness 1",
     [](TestScene& s) { s.Property->SetGlossiness(vtkOpticsVolumeProperty::Ward, 1.0); });
-  Check(verdict, "anisotropy scale 0", [](TestScene& s) { SetScale(s, 0.0); });
-  Check(verdict, "anisotropy scale 1e4", [](TestScene& s) { SetScale(s, 1.0e4); });
-  Check(verdict, "forward scattering", [](TestScene& s) { s.Property->SetScatteringAnisotropy(1.0F); });
-  Check(verdict, "backward scattering", [](TestScene& s) { s.Property->SetScatteringAnisotropy(-1.0F); });
-  Check(verdict, "highlights everywhere", [](TestScene& s) { s.Property->SpecularFromExtinctionOff(); });
-  Check(verdict, "opaque at once", [](TestScene& s) {
+  CheckScene(check, "anisotropy scale 0", [](TestScene& s) { SetScale(s, 0.0); });
+  CheckScene(check, "anisotropy scale 1e4", [](TestScene& s) { SetScale(s, 1.0e4); });
+  CheckScene(check, "forward scattering", [](TestScene& s) { s.Property->SetScatteringAnisotropy(1.0F); });
+  CheckScene(check, "backward scattering", [](TestScene& s) { s.Property->SetScatteringAnisotropy(-1.0F); });
+  CheckScene(check, "highlights everywhere", [](TestScene& s) { s.Property->SpecularFromExtinctionOff(); });
+  CheckScene(check, "opaque at once", [](TestScene& s) {
     s.Opacity->RemoveAllPoints();
     s.Opacity->AddPoint(0.4999, 0.0);
     s.Opacity->AddPoint(0.5, 1.0);
   });
 }
 
-void CheckData(Verdict& verdict)
+void CheckData(Check& check)
 {
-  Check(verdict, "constant volume", [](TestScene& s) {
+  CheckScene(check, "constant volume", [](TestScene& s) {
     s.Source->SetFieldToNoisyHomogeneous();
     s.Source->SetNoiseAmplitude(0.0);
   });
-  Check(verdict, "spacing 1e-6", [](TestScene& s) { SetBounds(s, 1.6e-5, 1.6e-5, 1.6e-5); });
-  Check(verdict, "spacing 1e6", [](TestScene& s) { SetBounds(s, 1.6e7, 1.6e7, 1.6e7); });
-  Check(verdict, "spacing 1:100", [](TestScene& s) { SetBounds(s, 1.0, 1.0, 100.0); });
-  Check(verdict, "scalars of 1e-30", [](TestScene& s) { Rescale<vtkFloatArray>(s, 1.0e-30, 0.0); });
-  Check(verdict, "scalars of 1e30", [](TestScene& s) { Rescale<vtkFloatArray>(s, 1.0e30, 0.0); });
-  Check(verdict, "int64", [](TestScene& s) { Rescale<vtkLongLongArray>(s, 1.0e15, 1.0e12); });
-  Check(verdict, "NaN", [](TestScene& s) { Poison(s, std::numeric_limits<float>::quiet_NaN()); });
+  CheckScene(check, "spacing 1e-6", [](TestScene& s) { SetBounds(s, 1.6e-5, 1.6e-5, 1.6e-5); });
+  CheckScene(check, "spacing 1e6", [](TestScene& s) { SetBounds(s, 1.6e7, 1.6e7, 1.6e7); });
+  CheckScene(check, "spacing 1:100", [](TestScene& s) { SetBounds(s, 1.0, 1.0, 100.0); });
+  CheckScene(check, "scalars of 1e-30", [](TestScene& s) { Rescale<vtkFloatArray>(s, 1.0e-30, 0.0); });
+  CheckScene(check, "scalars of 1e30", [](TestScene& s) { Rescale<vtkFloatArray>(s, 1.0e30, 0.0); });
+  CheckScene(check, "int64", [](TestScene& s) { Rescale<vtkLongLongArray>(s, 1.0e15, 1.0e12); });
+  CheckScene(check, "NaN", [](TestScene& s) { Poison(s, std::numeric_limits<float>::quiet_NaN()); });
 }
 
-void CheckLight(Verdict& verdict)
+void CheckLight(Check& check)
 {
-  Check(verdict, "light behind", [](TestScene& s) { LightFrom(s, 0.0, 0.0, -1.0); });
-  Check(verdict, "light at grazing incidence", [](TestScene& s) { LightFrom(s, 1.0, 0.0, 1.0e-7); });
-  Check(verdict, "light of no direction", [](TestScene& s) { LightFrom(s, 0.0, 0.0, 0.0); });
-  Check(verdict, "light inside the volume", [](TestScene& s) {
+  CheckScene(check, "light behind", [](TestScene& s) { LightFrom(s, 0.0, 0.0, -1.0); });
+  CheckScene(check, "light at grazing incidence", [](TestScene& s) { LightFrom(s, 1.0, 0.0, 1.0e-7); });
+  CheckScene(check, "light of no direction", [](TestScene& s) { LightFrom(s, 0.0, 0.0, 0.0); });
+  CheckScene(check, "light inside the volume", [](TestScene& s) {
     vtkNew<vtkLight> light;
     light->SetPositional(true);
     light->SetPosition(0.1, 0.1, 0.1);
@@ -164,9 +164,9 @@ void CheckLight(Verdict& verdict)
 
 int TestReflectanceExtremes(int, char*[])
 {
-  Verdict verdict;
-  CheckParameters(verdict);
-  CheckData(verdict);
-  CheckLight(verdict);
-  return verdict.Result();
+  Check check;
+  CheckParameters(check);
+  CheckData(check);
+  CheckLight(check);
+  return check.ExitCode();
 }

@@ -50,7 +50,7 @@ void UseRectilinearGrid(TestScene& scene)
   scene.Mapper->SetInputData(grid);
 }
 
-void CheckRefused(Verdict& verdict, const std::string& name, const Setting& setting)
+void CheckRefused(Check& check, const std::string& name, const Setting& setting)
 {
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
   TestScene expected(stock);
@@ -62,31 +62,31 @@ void CheckRefused(Verdict& verdict, const std::string& name, const Setting& sett
   const std::vector<unsigned char> first = scene.Render();
   scene.Property->SetGlossiness(0.1);
   const std::vector<unsigned char> second = scene.Render();
-  verdict.Check(expected.Render() == first, name + ": the picture is not VTK's");
-  verdict.Check(first == second, name + ": a setting of the refused model changes the picture");
-  verdict.Check(scene.Optics->GetActiveTerms().empty(), name + ": the term is active");
-  verdict.Check(warnings.Texts.size() == 1,
+  check.That(expected.Render() == first, name + ": the picture is not VTK's");
+  check.That(first == second, name + ": a setting of the refused model changes the picture");
+  check.That(scene.Optics->GetActiveTerms().empty(), name + ": the term is active");
+  check.That(warnings.Texts.size() == 1,
     name + ": said " + std::to_string(warnings.Texts.size()) + " times, not once");
 }
 }
 
 int TestRefusedSettings(int, char*[])
 {
-  Verdict verdict;
-  CheckRefused(verdict, "maximum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); });
-  CheckRefused(verdict, "minimum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMinimumIntensity(); });
-  CheckRefused(verdict, "average intensity", [](TestScene& s) { s.Mapper->SetBlendModeToAverageIntensity(); });
-  CheckRefused(verdict, "additive", [](TestScene& s) { s.Mapper->SetBlendModeToAdditive(); });
-  CheckRefused(verdict, "isosurface", [](TestScene& s) {
+  Check check;
+  CheckRefused(check, "maximum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); });
+  CheckRefused(check, "minimum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMinimumIntensity(); });
+  CheckRefused(check, "average intensity", [](TestScene& s) { s.Mapper->SetBlendModeToAverageIntensity(); });
+  CheckRefused(check, "additive", [](TestScene& s) { s.Mapper->SetBlendModeToAdditive(); });
+  CheckRefused(check, "isosurface", [](TestScene& s) {
     s.Mapper->SetBlendModeToIsoSurface();
     s.Property->GetIsoSurfaceValues()->SetValue(0, 0.5);
   });
-  CheckRefused(verdict, "independent components", UseIndependentComponents);
-  CheckRefused(verdict, "rectilinear grid", UseRectilinearGrid);
-  CheckRefused(verdict, "gradient opacity of a label", [](TestScene& s) {
+  CheckRefused(check, "independent components", UseIndependentComponents);
+  CheckRefused(check, "rectilinear grid", UseRectilinearGrid);
+  CheckRefused(check, "gradient opacity of a label", [](TestScene& s) {
     vtkNew<vtkPiecewiseFunction> function;
     function->AddPoint(0.0, 1.0);
     s.Property->SetLabelGradientOpacity(1, function);
   });
-  return verdict.Result();
+  return check.ExitCode();
 }

@@ -6,6 +6,7 @@
 #ifndef TestScene_h
 #define TestScene_h
 
+#include "Check.h"
 #include "vtkAnalyticVolumeSource.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -145,21 +146,6 @@ inline bool AreFinite(const std::vector<float>& pixels)
 {
   return std::all_of(pixels.begin(), pixels.end(), [](float value) { return std::isfinite(value); });
 }
-
-// Says what failed; a test returns the number of failures.
-struct Verdict
-{
-  void Check(bool holds, const std::string& what)
-  {
-    if (!holds)
-    {
-      ++this->Failures;
-      std::cerr << "FAILED: " << what << "\n";
-    }
-  }
-  int Result() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
-  int Failures = 0;
-};
 }
 
 #endif

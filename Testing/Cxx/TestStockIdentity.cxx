@@ -4,10 +4,9 @@
 // With every setting at its default nothing is added: the pixels and the text of the shader, with it
 // the textures that it samples, are those of VTK's own mapper.
 
+#include "ShaderText.h"
 #include "TestScene.h"
 
-#include "vtkShader.h"
-#include "vtkShaderProgram.h"
 
 #include <functional>
 
@@ -21,23 +20,17 @@ struct Frame
 
 Frame Draw(TestScene& scene)
 {
+  const ShaderText shader(scene.Mapper);
   Frame frame;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&frame);
-  command->SetCallback([](vtkObject*, unsigned long, void* client, void* program) {
-    auto* seen = static_cast<Frame*>(client);
-    vtkShader* shader = static_cast<vtkShaderProgram*>(program)->GetFragmentShader();
-    seen->Text = shader->GetSource();
-  });
-  scene.Mapper->AddObserver(vtkCommand::UpdateShaderEvent, command);
   frame.First = scene.Render();
   frame.Second = scene.Render();
+  frame.Text = shader.Text;
   return frame;
 }
 
 using Setting = std::function<void(TestScene&)>;
 
-void Compare(Verdict& verdict, const std::string& name, const Setting& setting)
+void Compare(Check& check, const std::string& name, const Setting& setting)
 {
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
   TestScene reference(stock);
@@ -46,26 +39,26 @@ void Compare(Verdict& verdict, const std::string& name, const Setting& setting)
   setting(ours);
   const Frame expected = Draw(reference);
   const Frame actual = Draw(ours);
-  verdict.Check(expected.First == actual.First, name + ": the first frame differs from VTK's");
-  verdict.Check(expected.Second == actual.Second, name + ": the second frame differs from VTK's");
-  verdict.Check(!expected.Text.empty() && expected.Text == actual.Text, name + ": the shader differs from VTK's");
-  verdict.Check(ours.Optics->GetActiveTerms().empty(), name + ": a term is active");
-  verdict.Check(ours.Optics->GetTermMemorySize() == 0, name + ": a term holds memory");
+  check.That(expected.First == actual.First, name + ": the first frame differs from VTK's");
+  check.That(expected.Second == actual.Second, name + ": the second frame differs from VTK's");
+  check.That(!expected.Text.empty() && expected.Text == actual.Text, name + ": the shader differs from VTK's");
+  check.That(ours.Optics->GetActiveTerms().empty(), name + ": a term is active");
+  check.That(ours.Optics->GetTermMemorySize() == 0, name + ": a term holds memory");
 }
 }
 
 int TestStockIdentity(int, char*[])
 {
-  Verdict verdict;
-  Compare(verdict, "shaded", [](TestScene&) {});
-  Compare(verdict, "not shaded", [](TestScene& scene) { scene.Property->ShadeOff(); });
-  Compare(verdict, "a model, but not shaded", [](TestScene& scene) {
+  Check check;
+  Compare(check, "shaded", [](TestScene&) {});
+  Compare(check, "not shaded", [](TestScene& scene) { scene.Property->ShadeOff(); });
+  Compare(check, "a model, but not shaded", [](TestScene& scene) {
     scene.Property->ShadeOff();
     scene.Property->SetReflectanceModelToWard();
   });
-  Compare(verdict, "maximum intensity",
+  Compare(check, "maximum intensity",
     [](TestScene& scene) { scene.Mapper->SetBlendModeToMaximumIntensity(); });
-  Compare(verdict, "parallel projection",
+  Compare(check, "parallel projection",
     [](TestScene& scene) { scene.Renderer->GetActiveCamera()->ParallelProjectionOn(); });
-  return verdict.Result();
+  return check.ExitCode();
 }

@@ -14,8 +14,10 @@
 #include "vtkPlane.h"
 #include "vtkContourValues.h"
 #include "vtkPlaneCollection.h"
+#include "vtkLODProp3D.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -105,15 +107,32 @@ void Use2DFunction(TestScene& scene)
   scene.Property->SetTransferFunction2D(table);
 }
 
-void AddCone(TestScene& scene)
+vtkSmartPointer<vtkActor> AddCone(TestScene& scene)
 {
   vtkNew<vtkConeSource> cone;
   cone->SetCenter(0.2, -0.3, 0.0);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(cone->GetOutputPort());
-  vtkNew<vtkActor> actor;
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   scene.Renderer->AddActor(actor);
+  return actor;
+}
+
+void PeelDepth(TestScene& scene)
+{
+  AddCone(scene)->GetProperty()->SetOpacity(0.4);
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Renderer->UseDepthPeelingForVolumesOn();
+  scene.Window->SetAlphaBitPlanes(1);
+}
+
+void UseLevelOfDetail(TestScene& scene)
+{
+  vtkNew<vtkLODProp3D> prop;
+  prop->AddLOD(scene.Mapper, scene.Property, 0.0);
+  scene.Renderer->RemoveVolume(scene.Volume);
+  scene.Renderer->AddViewProp(prop);
 }
 
 struct Row
@@ -157,7 +176,14 @@ const Row Rows[] = {
       scene.Renderer->GetActiveCamera()->SetPosition(0.6, 0.1, 0.1);
       scene.Renderer->ResetCameraClippingRange();
     } },
-  { "opaque geometry", AddCone },
+  { "opaque geometry", [](TestScene& scene) { AddCone(scene); } },
+  { "depth peeling", PeelDepth },
+  { "LOD actor", UseLevelOfDetail },
+  { "stereo",
+    [](TestScene& scene) {
+      scene.Window->SetStereoTypeToAnaglyph();
+      scene.Window->StereoRenderOn();
+    } },
   { "image sample distance", [](TestScene& scene) { scene.Mapper->SetImageSampleDistance(2.0F); } },
   { "partitions",
     [](TestScene& scene) {
@@ -219,7 +245,7 @@ std::vector<unsigned char> DrawUnshaded(const Row& row)
   return scene.Render();
 }
 
-void CheckRow(Verdict& verdict, const Row& row)
+void CheckRow(Check& check, const Row& row)
 {
   const std::string name = row.Name;
   TestScene scene;
@@ -232,26 +258,26 @@ void CheckRow(Verdict& verdict, const Row& row)
   const std::vector<unsigned char> unshaded = DrawUnshaded(row);
   const int difference = LargestDifference(unshaded, scene.Render());
   // one code for the order of float operations
-  verdict.Check(difference <= 1, name + ": differs from the unshaded picture by " + std::to_string(difference));
-  verdict.Check(scene.Optics->GetActiveTerms() == "Reflectance", name + ": the term is not active");
+  check.That(difference <= 1, name + ": differs from the unshaded picture by " + std::to_string(difference));
+  check.That(scene.Optics->GetActiveTerms() == "Reflectance", name + ": the term is not active");
 
   scene.Property->SetSpecular(1.0);
   const int highlight = LargestDifference(unshaded, scene.Render());
-  verdict.Check(highlight > 10, name + ": the highlight is of " + std::to_string(highlight) + " codes only");
-  verdict.Check(AreFinite(scene.RenderFloat()), name + ": a pixel is not finite");
+  check.That(highlight > 10, name + ": the highlight is of " + std::to_string(highlight) + " codes only");
+  check.That(AreFinite(scene.RenderFloat()), name + ": a pixel is not finite");
   for (const std::string& text : warnings.Texts)
   {
-    verdict.Check(false, name + ": " + text);
+    check.That(false, name + ": " + text);
   }
 }
 }
 
 int TestSupportedSettings(int, char*[])
 {
-  Verdict verdict;
+  Check check;
   for (const Row& row : Rows)
   {
-    CheckRow(verdict, row);
+    CheckRow(check, row);
   }
-  return verdict.Result();
+  return check.ExitCode();
 }

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The composed text of every combination of model, storage, gradient, lights and opacity passes the
+// reference compiler of GLSL, which is stricter than a driver.
+
+#include "ShaderText.h"
+#include "TestScene.h"
+
+#include "vtkAmbientCovarianceFilter.h"
+#include "vtkLight.h"
+
+#include <fstream>
+#include <functional>
+
+namespace
+{
+struct Choice
+{
+  const char* Name;
+  std::function<void(TestScene&)> Apply;
+};
+
+const Choice Models[] = {
+  { "None", [](TestScene& scene) { scene.Property->SetReflectanceModelToNone(); } },
+  { "BlinnPhong", [](TestScene& scene) { scene.Property->SetReflectanceModelToBlinnPhong(); } },
+  { "Ward", [](TestScene& scene) { scene.Property->SetReflectanceModelToWard(); } },
+  { "Lafortune", [](TestScene& scene) { scene.Property->SetReflectanceModelToLafortune(); } },
+};
+
+const Choice Storages[] = {
+  { "Map", [](TestScene& scene) { scene.Optics->GetAmbientCovarianceFilter()->SetStorageToMap(); } },
+  { "Components",
+    [](TestScene& scene) { scene.Optics->GetAmbientCovarianceFilter()->SetStorageToComponents(); } },
+  { "World", [](TestScene& scene) { scene.Optics->GetAmbientCovarianceFilter()->SetStorageToWorld(); } },
+};
+
+const Choice Gradients[] = {
+  { "Stored", [](TestScene& scene) { scene.Optics->SetExtinctionGradientToStored(); } },
+  { "Central", [](TestScene& scene) { scene.Optics->SetExtinctionGradientToCentralDifferences(); } },
+  { "GradientOpacity",
+    [](TestScene& scene) {
+      vtkNew<vtkPiecewiseFunction> function;
+      function->AddPoint(0.0, 0.5);
+      function->AddPoint(0.3, 1.0);
+      scene.Property->SetGradientOpacity(function);
+    } },
+};
+
+const Choice Lights[] = {
+  { "headlight", [](TestScene&) {} },
+  { "positional",
+    [](TestScene& scene) {
+      vtkNew<vtkLight> light;
+      light->SetPositional(true);
+      scene.Renderer->AddLight(light);
+    } },
+  { "none", [](TestScene& scene) { scene.Renderer->SetAutomaticLightCreation(false); } },
+};
+
+void Validate(Check& check, const std::string& name, const std::string& text)
+{
+  const std::string path = std::string(VOLUMEOPTICS_TEMPORARY) + "/Optics-" + name + ".frag";
+  std::ofstream(path) << text;
+  const std::string command = std::string(VOLUMEOPTICS_GLSLANG) + " " + path;
+  check.That(!text.empty() && std::system(command.c_str()) == 0, name + ": " + path + " is not valid GLSL");
+}
+}
+
+int TestShaderValidity(int, char*[])
+{
+  Check check;
+  for (const Choice& model : Models)
+  {
+    for (const Choice& storage : Storages)
+    {
+      for (const Choice& gradient : Gradients)
+      {
+        for (const Choice& lights : Lights)
+        {
+          TestScene scene;
+          scene.Window->SetSize(8, 8);
+          scene.Source->SetDimensions(8, 8, 8);
+          const ShaderText shader(scene.Mapper);
+          std::string name;
+          for (const Choice* choice : { &model, &storage, &gradient, &lights })
+          {
+            choice->Apply(scene);
+            name += (name.empty() ? "" : "-") + std::string(choice->Name);
+          }
+          scene.Render();
+          scene.Render();
+          Validate(check, name, shader.Text);
+        }
+      }
+    }
+  }
+  return check.ExitCode();
+}
