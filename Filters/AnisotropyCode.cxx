@@ -15,19 +15,18 @@ int NumberOfCodeComponents(Storage storage)
   return storage == Storage::World ? 5 : 3;
 }
 
-void EncodeAnisotropy(
-  Storage storage, const glm::dvec3& normal, const glm::dvec2& anisotropy, float* code)
+void EncodeAnisotropy(Storage storage, const glm::dvec3& normal, const glm::dvec2& anisotropy, float* code)
 {
   if (storage == Storage::World)
   {
     const optics::WorldTensor tensor = optics::EncodeWorld(normal, anisotropy);
-    const double numbers[5] = { tensor.diagonal.x, tensor.diagonal.y, tensor.diagonal.z,
-      tensor.mixed.x, tensor.mixed.y };
+    const double numbers[5] = { tensor.diagonal.x, tensor.diagonal.y, tensor.diagonal.z, tensor.mixed.x,
+      tensor.mixed.y };
     std::copy(numbers, numbers + 5, code);
     return;
   }
-  const glm::dvec3 numbers = storage == Storage::Map ? optics::EncodeMap(normal, anisotropy)
-                                                     : optics::EncodeComponents(anisotropy);
+  const glm::dvec3 numbers =
+    storage == Storage::Map ? optics::EncodeMap(normal, anisotropy) : optics::EncodeComponents(anisotropy);
   std::copy(&numbers.x, &numbers.x + 3, code);
 }
 
@@ -38,23 +37,16 @@ bool AnisotropyOf(const glm::dvec3& tangentCovariance, glm::dvec2& anisotropy)
   {
     return false;
   }
-  anisotropy =
-    glm::dvec2(tangentCovariance.x - tangentCovariance.z, 2.0 * tangentCovariance.y) / trace;
+  anisotropy = glm::dvec2(tangentCovariance.x - tangentCovariance.z, 2.0 * tangentCovariance.y) / trace;
   // Rounding of a perfect line may exceed 1.
   const double strength = glm::length(anisotropy);
   anisotropy /= std::max(strength, 1.0);
   return true;
 }
 
-void CodeOrMeanOfNeighbours(const VoxelBox<float>& codes, int x, int y, int z, float* code)
+void MeanOfNeighbours(const VoxelBox<float>& codes, int x, int y, int z, float* code)
 {
   const int components = codes.GetComponents();
-  const float* own = codes.At(x, y, z);
-  if (!std::isnan(own[0]))
-  {
-    std::copy(own, own + components, code);
-    return;
-  }
   const Extent around = Grown({ x, x, y, y, z, z }, { 1, 1, 1 }, codes.GetBox());
   double sums[5] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
   int count = 0;
@@ -76,15 +68,5 @@ void CodeOrMeanOfNeighbours(const VoxelBox<float>& codes, int x, int y, int z, f
   }
   std::transform(sums, sums + components, code,
     [count](double sum) { return static_cast<float>(sum / std::max(count, 1)); });
-}
-
-float RoundedToBits(float value, int bits)
-{
-  if (bits >= 32)
-  {
-    return value;
-  }
-  const float largest = bits == 8 ? 127.0f : 32767.0f;
-  return std::round(std::clamp(value, -1.0f, 1.0f) * largest) / largest;
 }
 }

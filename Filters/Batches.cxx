@@ -22,8 +22,7 @@ double Seconds()
 }
 }
 
-bool Batches::Run(
-  long long count, double progressAtEnd, const std::function<void(long long)>& work)
+bool Batches::Run(long long count, double progressAtEnd, const std::function<void(long long)>& work)
 {
   const double progressAtStart = this->Progress;
   const long long threads = std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1);

@@ -35,8 +35,8 @@ glm::dmat3 WorldCovariance(const glm::dvec3& normal, const glm::dvec3& c)
 
 glm::dvec3 TangentCovariance(const glm::dvec3& normal, const double* tensor)
 {
-  const glm::dmat3 world(tensor[0], tensor[3], tensor[4], tensor[3], tensor[1], tensor[5],
-    tensor[4], tensor[5], tensor[2]);
+  const glm::dmat3 world(
+    tensor[0], tensor[3], tensor[4], tensor[3], tensor[1], tensor[5], tensor[4], tensor[5], tensor[2]);
   const optics::TangentBasis basis = optics::SphericalBasis(normal);
   return { glm::dot(basis.theta, world * basis.theta), glm::dot(basis.theta, world * basis.phi),
     glm::dot(basis.phi, world * basis.phi) };
@@ -73,7 +73,7 @@ Halo CovarianceField::GetReach(const ImageGrid& grid, double radius, double filt
 bool CovarianceField::LoadScalars(Batches& batches, const Extent& box)
 {
   const int padding = this->Sampler.GetPadding();
-  this->Scalars = VoxelBox<float>(box, 1, padding, padding, NoValue<float>());
+  this->Scalars = VoxelBox<float>(box, 1, padding);
   const std::vector<Extent> tiles = SplitIntoTiles(box, 32, 1.0e6);
   return batches.Run(tiles.size(), 0.1, [&](long long unit) {
     const Extent& tile = tiles[unit];
@@ -83,6 +83,7 @@ bool CovarianceField::LoadScalars(Batches& batches, const Extent& box)
       for (int y = tile[2]; y <= tile[3]; ++y)
       {
         const double* from = values.Row(y, z);
+        this->Scalars.SetRow(y, z, NoValue<float>());
         std::transform(from, from + (tile[1] - tile[0] + 1), this->Scalars.Row(y, z),
           [this](double value) { return Normalised(value, this->Settings.ScalarRange); });
       }
@@ -116,12 +117,11 @@ void CovarianceField::SetNormals(
   }
 }
 
-void CovarianceField::StoreCode(const glm::dvec3& normal, const glm::dvec3& tangentCovariance,
-  double accepted, float* code) const
+void CovarianceField::StoreCode(
+  const glm::dvec3& normal, const glm::dvec3& tangentCovariance, double accepted, float* code) const
 {
   glm::dvec2 anisotropy;
-  if (normal == glm::dvec3(0.0) || accepted < LeastAccepted ||
-    !AnisotropyOf(tangentCovariance, anisotropy))
+  if (normal == glm::dvec3(0.0) || accepted < LeastAccepted || !AnisotropyOf(tangentCovariance, anisotropy))
   {
     return; // stays NaN
   }
@@ -132,17 +132,36 @@ void CovarianceField::StoreCode(const glm::dvec3& normal, const glm::dvec3& tang
   EncodeAnisotropy(this->Settings.Code, normal, anisotropy, code);
 }
 
-void CovarianceField::StoreTensor(
-  const glm::dvec3& normal, const CovarianceRows& row, int voxel, float* tensor) const
+void CovarianceField::StoreCodes(
+  const glm::dvec3* normals, const CovarianceRows& row, int y, int z, VoxelBox<float>& codes)
 {
-  if (normal == glm::dvec3(0.0) || row.GetAccepted(voxel) < LeastAccepted)
+  const Extent& box = codes.GetBox();
+  codes.SetRow(y, z, NoValue<float>());
+  float* code = codes.Row(y, z);
+  for (int i = 0; i <= box[1] - box[0]; ++i, code += codes.GetComponents())
   {
-    return; // stays NaN
+    this->StoreCode(normals[i], row.GetTangentCovariance(i), row.GetAccepted(i), code);
   }
-  const glm::dmat3 c = WorldCovariance(normal, row.GetTangentCovariance(voxel));
-  const double numbers[7] = { c[0][0], c[1][1], c[2][2], c[0][1], c[0][2], c[1][2],
-    row.GetAccepted(voxel) };
-  std::copy(numbers, numbers + 7, tensor);
+}
+
+void CovarianceField::StoreTensors(
+  const glm::dvec3* normals, const CovarianceRows& row, int y, int z, VoxelBox<float>&)
+{
+  const Extent& box = this->Tensors.GetBox();
+  this->Tensors.SetRow(y, z, NoValue<float>());
+  float* tensor = this->Tensors.Row(y, z);
+  float* normal = this->FilterNormals.Row(y, z);
+  for (int i = 0; i <= box[1] - box[0]; ++i, tensor += 7, normal += 3)
+  {
+    const glm::vec3 rounded(normals[i]);
+    std::copy(&rounded.x, &rounded.x + 3, normal);
+    if (normals[i] != glm::dvec3(0.0) && row.GetAccepted(i) >= LeastAccepted)
+    {
+      const glm::dmat3 c = WorldCovariance(normals[i], row.GetTangentCovariance(i));
+      const double numbers[7] = { c[0][0], c[1][1], c[2][2], c[0][1], c[0][2], c[1][2], row.GetAccepted(i) };
+      std::copy(numbers, numbers + 7, tensor);
+    }
+  }
 }
 
 bool CovarianceField::Compute(Batches& batches, VoxelBox<float>& codes)
@@ -157,34 +176,25 @@ bool CovarianceField::Compute(Batches& batches, VoxelBox<float>& codes)
   }
   if (isFiltered)
   {
-    this->Tensors = VoxelBox<float>(box, 7, 0, 0, NoValue<float>());
-    this->FilterNormals = VoxelBox<float>(box, 3, 0, 0, 0.0f);
+    this->Tensors = VoxelBox<float>(box, 7, 0);
+    this->FilterNormals = VoxelBox<float>(box, 3, 0);
   }
-  const std::vector<Extent> tiles = SplitIntoTiles(
-    box, CovarianceSampler::BlockSize, SamplesPerTile / this->Sampler.GetWorkPerVoxel());
+  const std::vector<Extent> tiles =
+    SplitIntoTiles(box, CovarianceSampler::BlockSize, SamplesPerTile / this->Sampler.GetWorkPerVoxel());
   const bool isComplete = batches.Run(tiles.size(), isFiltered ? 0.7 : 0.95, [&](long long unit) {
     const Extent& tile = tiles[unit];
     std::vector<CovarianceRows> rows;
     std::vector<glm::dvec3> normals;
     this->SetNormals(tile, rows, normals);
     this->Sampler.SampleTile(this->Scalars, tile, rows);
-    const int count = tile[1] - tile[0] + 1;
-    for (std::size_t i = 0; i < normals.size(); ++i)
+    auto store = isFiltered ? &CovarianceField::StoreTensors : &CovarianceField::StoreCodes;
+    const glm::dvec3* normal = normals.data();
+    const CovarianceRows* row = rows.data();
+    for (int z = tile[4]; z <= tile[5]; ++z)
     {
-      const int voxel = i % count;
-      const int row = i / count;
-      const int y = tile[2] + row % (tile[3] - tile[2] + 1);
-      const int z = tile[4] + row / (tile[3] - tile[2] + 1);
-      if (isFiltered)
+      for (int y = tile[2]; y <= tile[3]; ++y, normal += tile[1] - tile[0] + 1, ++row)
       {
-        this->StoreTensor(normals[i], rows[row], voxel, this->Tensors.At(tile[0] + voxel, y, z));
-        const glm::vec3 normal(normals[i]);
-        std::copy(&normal.x, &normal.x + 3, this->FilterNormals.At(tile[0] + voxel, y, z));
-      }
-      else
-      {
-        this->StoreCode(normals[i], rows[row].GetTangentCovariance(voxel),
-          rows[row].GetAccepted(voxel), codes.At(tile[0] + voxel, y, z));
+        (this->*store)(normal, *row, y, z, codes);
       }
     }
   });
@@ -194,15 +204,14 @@ bool CovarianceField::Compute(Batches& batches, VoxelBox<float>& codes)
 bool CovarianceField::Filter(Batches& batches, VoxelBox<float>& codes)
 {
   const std::vector<Extent> tiles = SplitIntoTiles(codes.GetBox(), 16, 1.0e5);
-  return batches.Run(
-    tiles.size(), 0.95, [&](long long unit) { this->FilterTile(tiles[unit], codes); });
+  return batches.Run(tiles.size(), 0.95, [&](long long unit) { this->FilterTile(tiles[unit], codes); });
 }
 
 void CovarianceField::FilterTile(const Extent& tile, VoxelBox<float>& codes) const
 {
   const GaussianFilter gaussian(this->Grid, this->Settings.FilterStandardDeviation);
   const Extent around = Grown(tile, gaussian.GetHalo(), this->Grid.Whole);
-  VoxelBox<double> tensors(around, 7, 0, 0, 0.0);
+  VoxelBox<double> tensors(around, 7, 0);
   for (int z = around[4]; z <= around[5]; ++z)
   {
     for (int y = around[2]; y <= around[3]; ++y)
@@ -216,6 +225,7 @@ void CovarianceField::FilterTile(const Extent& tile, VoxelBox<float>& codes) con
   {
     for (int y = tile[2]; y <= tile[3]; ++y)
     {
+      codes.SetRow(y, z, NoValue<float>());
       for (int x = tile[0]; x <= tile[1]; ++x)
       {
         const float* n = this->FilterNormals.At(x, y, z);

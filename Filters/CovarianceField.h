@@ -42,9 +42,12 @@ public:
 
 private:
   bool LoadScalars(Batches& batches, const Extent& box);
-  void SetNormals(const Extent& tile, std::vector<CovarianceRows>& rows, std::vector<glm::dvec3>& normals) const;
-  void StoreCode(const glm::dvec3& normal, const glm::dvec3& tangentCovariance, double accepted, float* code) const;
-  void StoreTensor(const glm::dvec3& normal, const CovarianceRows& row, int voxel, float* tensor) const;
+  void SetNormals(
+    const Extent& tile, std::vector<CovarianceRows>& rows, std::vector<glm::dvec3>& normals) const;
+  void StoreCode(
+    const glm::dvec3& normal, const glm::dvec3& tangentCovariance, double accepted, float* code) const;
+  void StoreCodes(const glm::dvec3* normals, const CovarianceRows& row, int y, int z, VoxelBox<float>& codes);
+  void StoreTensors(const glm::dvec3* normals, const CovarianceRows& row, int y, int z, VoxelBox<float>&);
   bool Filter(Batches& batches, VoxelBox<float>& codes);
   void FilterTile(const Extent& tile, VoxelBox<float>& codes) const;
 

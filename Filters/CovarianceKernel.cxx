@@ -83,8 +83,7 @@ struct Moments
     const Vector x = hn::Set(lanes, world[0]);
     const Vector y = hn::Set(lanes, world[1]);
     const Vector z = hn::Set(lanes, world[2]);
-    const Vector theta =
-      hn::MulAdd(Theta[0], x, hn::MulAdd(Theta[1], y, hn::MulSub(Theta[2], z, MeanTheta)));
+    const Vector theta = hn::MulAdd(Theta[0], x, hn::MulAdd(Theta[1], y, hn::MulSub(Theta[2], z, MeanTheta)));
     const Vector phi = hn::MulAdd(Phi[0], x, hn::MulSub(Phi[1], y, MeanPhi));
     const Vector rest = hn::NegMulAdd(phi, phi, hn::NegMulAdd(theta, theta, hn::Set(lanes, 1.0f)));
     const Vector weight = hn::IfThenElseZero(accepted, hn::Max(rest, hn::Zero(lanes)));
@@ -110,8 +109,8 @@ HWY_INLINE bool HasWork(const CovarianceRow& row, std::size_t x)
 {
   const Lanes lanes;
   const Vector zero = hn::Zero(lanes);
-  const Vector inPlane = hn::Add(
-    hn::Abs(hn::LoadU(lanes, row.Phi[0] + x)), hn::Abs(hn::LoadU(lanes, row.Phi[1] + x)));
+  const Vector inPlane =
+    hn::Add(hn::Abs(hn::LoadU(lanes, row.Phi[0] + x)), hn::Abs(hn::LoadU(lanes, row.Phi[1] + x)));
   if (!hn::AllTrue(lanes, hn::Eq(inPlane, zero)))
   {
     return true;
@@ -142,29 +141,29 @@ void AccumulateNearestRow(const CovarianceRow& row, const NearestSample* samples
     Centroid centroid;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector scalar = hn::LoadU(lanes, samples[i].Scalars + x);
+      const Vector scalar = hn::LoadU(lanes, row.Scalars + x + samples[i].Offset);
       centroid.Add(IsNear(scalar, centre, tolerance), samples[i].World);
     }
     Moments moments(row, x, centroid);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector scalar = hn::LoadU(lanes, samples[i].Scalars + x);
+      const Vector scalar = hn::LoadU(lanes, row.Scalars + x + samples[i].Offset);
       moments.Add(IsNear(scalar, centre, tolerance), samples[i].World);
     }
     Store(row, x, centroid, moments);
   }
 }
 
-HWY_INLINE Vector Interpolated(const LinearSample& sample, std::size_t x)
+HWY_INLINE Vector Interpolated(const LinearSample& sample, const float* scalars)
 {
   const Lanes lanes;
-  Vector even = hn::Mul(hn::LoadU(lanes, sample.Scalars[0] + x), hn::Set(lanes, sample.Weights[0]));
-  Vector odd = hn::Mul(hn::LoadU(lanes, sample.Scalars[1] + x), hn::Set(lanes, sample.Weights[1]));
+  Vector even = hn::Mul(hn::LoadU(lanes, scalars + sample.Offsets[0]), hn::Set(lanes, sample.Weights[0]));
+  Vector odd = hn::Mul(hn::LoadU(lanes, scalars + sample.Offsets[1]), hn::Set(lanes, sample.Weights[1]));
   for (int corner = 2; corner < 8; corner += 2)
   {
     even = hn::MulAdd(
-      hn::LoadU(lanes, sample.Scalars[corner] + x), hn::Set(lanes, sample.Weights[corner]), even);
-    odd = hn::MulAdd(hn::LoadU(lanes, sample.Scalars[corner + 1] + x),
+      hn::LoadU(lanes, scalars + sample.Offsets[corner]), hn::Set(lanes, sample.Weights[corner]), even);
+    odd = hn::MulAdd(hn::LoadU(lanes, scalars + sample.Offsets[corner + 1]),
       hn::Set(lanes, sample.Weights[corner + 1]), odd);
   }
   return hn::Add(even, odd);
@@ -188,7 +187,7 @@ void AccumulateLinearRow(const CovarianceRow& row, const LinearSample* samples, 
     Centroid centroid;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector difference = hn::Abs(hn::Sub(Interpolated(samples[i], x), centre));
+      const Vector difference = hn::Abs(hn::Sub(Interpolated(samples[i], row.Scalars + x), centre));
       hn::StoreU(difference, lanes, differences.data() + i * width);
       centroid.Add(hn::Le(difference, tolerance), samples[i].World);
     }

@@ -17,8 +17,8 @@ const int KernelPadding = 16;
 struct CovarianceRow
 {
   int Count;
-  float Tolerance;      // half width of the accepted scalars
-  const float* Scalars; // of the voxels themselves; NaN for no value
+  float Tolerance;       // half width of the accepted scalars
+  const float* Scalars;  // of the voxels themselves; NaN for no value
   const float* Theta[3]; // the tangent basis in world axes
   const float* Phi[2];   // its z is 0
   float* ThetaTheta;     // sums of C, lengths in radii
@@ -27,15 +27,16 @@ struct CovarianceRow
   float* Accepted; // number of accepted samples
 };
 
+// Offsets are in numbers from the voxel's own scalar.
 struct NearestSample
 {
-  const float* Scalars; // at the first voxel's sample; NaN for no value
-  float World[3];       // offset in radii
+  std::ptrdiff_t Offset;
+  float World[3]; // in radii
 };
 
 struct LinearSample
 {
-  const float* Scalars[8];
+  std::ptrdiff_t Offsets[8]; // of the corners
   float Weights[8];
   float World[3];
 };

@@ -18,65 +18,104 @@ int BlockOf(int index)
   return index >= 0 ? index / size : -((-index + size - 1) / size);
 }
 
-// The rows that nearest samples read, those outside the volume left out.
-std::vector<NearestSample> NearestSamples(
-  const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern, int x, int y, int z)
+NearestSample MakeNearest(const VoxelBox<float>& scalars, const SampleOffset& offset)
 {
-  std::vector<NearestSample> samples;
-  samples.reserve(pattern.size());
-  for (const SampleOffset& offset : pattern)
-  {
-    const int rowY = y + offset.Voxel[1];
-    const int rowZ = z + offset.Voxel[2];
-    if (scalars.HasRow(rowY, rowZ))
-    {
-      samples.push_back({ scalars.At(x + offset.Voxel[0], rowY, rowZ),
-        { offset.World[0], offset.World[1], offset.World[2] } });
-    }
-  }
-  return samples;
+  return { scalars.Offset(offset.Voxel[0], offset.Voxel[1], offset.Voxel[2]),
+    { offset.World[0], offset.World[1], offset.World[2] } };
 }
 
 // Corners of weight 0 read what another corner reads, so that no missing value gets in.
-bool AddCorners(
-  const VoxelBox<float>& scalars, const SampleOffset& offset, int x, int y, int z, LinearSample& sample)
+LinearSample MakeLinear(const VoxelBox<float>& scalars, const SampleOffset& offset)
 {
+  LinearSample sample;
+  std::copy(offset.World, offset.World + 3, sample.World);
   for (int corner = 0; corner < 8; ++corner)
   {
     float weight = 1.0f;
-    int place[3] = { x, y, z };
+    int place[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       const bool isNext = corner >> axis & 1;
       const float fraction = offset.Fraction[axis];
       weight *= isNext ? fraction : 1.0f - fraction;
-      place[axis] += offset.Voxel[axis] + (isNext && fraction > 0.0f ? 1 : 0);
+      place[axis] = offset.Voxel[axis] + (isNext && fraction > 0.0f ? 1 : 0);
     }
-    if (!scalars.HasRow(place[1], place[2]))
-    {
-      return false;
-    }
-    sample.Scalars[corner] = scalars.At(place[0], place[1], place[2]);
+    sample.Offsets[corner] = scalars.Offset(place[0], place[1], place[2]);
     sample.Weights[corner] = weight;
   }
-  return true;
+  return sample;
 }
 
-std::vector<LinearSample> LinearSamples(
-  const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern, int x, int y, int z)
+bool IsInside(const VoxelBox<float>& scalars, const SampleOffset& offset, int y, int z)
 {
-  std::vector<LinearSample> samples;
-  samples.reserve(pattern.size());
-  for (const SampleOffset& offset : pattern)
+  const int lastY = y + offset.Voxel[1] + (offset.Fraction[1] > 0.0f ? 1 : 0);
+  const int lastZ = z + offset.Voxel[2] + (offset.Fraction[2] > 0.0f ? 1 : 0);
+  return scalars.HasRow(y + offset.Voxel[1], z + offset.Voxel[2]) && scalars.HasRow(lastY, lastZ);
+}
+
+// A pattern in terms of the kernel.
+template <typename Sample>
+class KernelSamples
+{
+public:
+  template <typename Make>
+  KernelSamples(const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern, Make make)
+    : Pattern(pattern)
+    , Scalars(scalars)
   {
-    LinearSample sample;
-    if (AddCorners(scalars, offset, x, y, z, sample))
+    for (const SampleOffset& offset : pattern)
     {
-      std::copy(offset.World, offset.World + 3, sample.World);
-      samples.push_back(sample);
+      this->All.push_back(make(scalars, offset));
+      for (int axis = 1; axis < 3; ++axis)
+      {
+        this->Reach[axis] = std::max(this->Reach[axis], std::abs(offset.Voxel[axis]) + 1);
+      }
     }
   }
-  return samples;
+
+  // Those for a row: samples outside the volume in y or z are left out.
+  const std::vector<Sample>& ForRow(int y, int z)
+  {
+    const Extent& box = this->Scalars.GetBox();
+    if (y - this->Reach[1] >= box[2] && y + this->Reach[1] <= box[3] && z - this->Reach[2] >= box[4] &&
+      z + this->Reach[2] <= box[5])
+    {
+      return this->All;
+    }
+    this->Some.clear();
+    for (std::size_t i = 0; i < this->All.size(); ++i)
+    {
+      if (IsInside(this->Scalars, this->Pattern[i], y, z))
+      {
+        this->Some.push_back(this->All[i]);
+      }
+    }
+    return this->Some;
+  }
+
+private:
+  const std::vector<SampleOffset>& Pattern;
+  const VoxelBox<float>& Scalars;
+  std::vector<Sample> All;
+  std::vector<Sample> Some;
+  int Reach[3] = { 0, 0, 0 };
+};
+
+// The rows of a box of one pattern.
+template <typename Sample, typename Accumulate>
+void AccumulateBox(KernelSamples<Sample> samples, const VoxelBox<float>& scalars, const Extent& box,
+  int firstX, double tolerance, CovarianceRows* rows, Accumulate accumulate)
+{
+  for (int z = box[4]; z <= box[5]; ++z)
+  {
+    for (int y = box[2]; y <= box[3]; ++y, ++rows)
+    {
+      const std::vector<Sample>& used = samples.ForRow(y, z);
+      const CovarianceRow row =
+        rows->GetRow(box[0] - firstX, box[1] - firstX, scalars.At(box[0], y, z), tolerance);
+      accumulate(row, used.data(), used.size());
+    }
+  }
 }
 }
 
@@ -116,8 +155,7 @@ glm::dvec3 CovarianceRows::GetTangentCovariance(int voxel) const
 }
 
 CovarianceSampler::CovarianceSampler(const ImageGrid& grid, const CovarianceSettings& settings)
-  : Grid(grid)
-  , Settings(settings)
+  : Settings(settings)
   , Neighbourhood{ grid, settings.Radius }
 {
   if (settings.Pattern == Sampling::Exhaustive)
@@ -126,16 +164,9 @@ CovarianceSampler::CovarianceSampler(const ImageGrid& grid, const CovarianceSett
   }
   else if (settings.Pattern == Sampling::Shared)
   {
-    this->Fixed = MakePattern(this->Neighbourhood, settings.NumberOfSamples,
-      Mixed(settings.Seed), settings.Interpolated);
+    this->Fixed =
+      MakePattern(this->Neighbourhood, settings.NumberOfSamples, Mixed(settings.Seed), settings.Interpolated);
   }
-}
-
-Halo CovarianceSampler::GetReach(const ImageGrid& grid, double radius, bool)
-{
-  // The corners of an interpolated sample lie within the ceiling of its distance, and so does the
-  // voxel nearest to it.
-  return CoveringHalo(grid, radius);
 }
 
 int CovarianceSampler::GetPadding() const
@@ -158,72 +189,66 @@ double CovarianceSampler::GetWorkPerVoxel() const
   }
 }
 
-std::vector<SampleOffset> CovarianceSampler::GetPattern(int x, int y, int z) const
+std::vector<SampleOffset> CovarianceSampler::BlockPattern(const Extent& box) const
 {
-  if (this->Settings.Pattern != Sampling::PerBlock)
-  {
-    return this->Fixed;
-  }
-  const std::uint64_t key = MixedPosition(Mixed(this->Settings.Seed), BlockOf(x), BlockOf(y), BlockOf(z));
-  return MakePattern(
-    this->Neighbourhood, this->Settings.NumberOfSamples, key, this->Settings.Interpolated);
+  const std::uint64_t key =
+    MixedPosition(Mixed(this->Settings.Seed), BlockOf(box[0]), BlockOf(box[2]), BlockOf(box[4]));
+  return MakePattern(this->Neighbourhood, this->Settings.NumberOfSamples, key, this->Settings.Interpolated);
 }
 
-void CovarianceSampler::SampleSegment(const VoxelBox<float>& scalars,
-  const std::vector<SampleOffset>& pattern, int x0, int x1, int y, int z, CovarianceRows& rows,
-  int firstX) const
+void CovarianceSampler::SampleBox(const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern,
+  const Extent& box, int firstX, CovarianceRows* rows) const
 {
-  const CovarianceRow row =
-    rows.GetRow(x0 - firstX, x1 - firstX, scalars.At(x0, y, z), this->Settings.Tolerance);
+  const double tolerance = this->Settings.Tolerance;
   if (this->Settings.Interpolated && this->Settings.Pattern != Sampling::Exhaustive)
   {
-    const std::vector<LinearSample> samples = LinearSamples(scalars, pattern, x0, y, z);
-    AccumulateLinear(row, samples.data(), samples.size());
+    AccumulateBox(KernelSamples<LinearSample>(scalars, pattern, MakeLinear), scalars, box, firstX, tolerance,
+      rows, AccumulateLinear);
   }
   else
   {
-    const std::vector<NearestSample> samples = NearestSamples(scalars, pattern, x0, y, z);
-    AccumulateNearest(row, samples.data(), samples.size());
+    AccumulateBox(KernelSamples<NearestSample>(scalars, pattern, MakeNearest), scalars, box, firstX,
+      tolerance, rows, AccumulateNearest);
   }
 }
 
 void CovarianceSampler::SampleVoxels(
-  const VoxelBox<float>& scalars, int x0, int x1, int y, int z, CovarianceRows& rows) const
+  const VoxelBox<float>& scalars, const Extent& tile, CovarianceRows* rows) const
 {
   const LiteralSampling literal(this->Neighbourhood, scalars, this->Settings);
-  CovarianceRow row = rows.GetRow(0, x1 - x0, scalars.At(x0, y, z), this->Settings.Tolerance);
-  for (int x = x0; x <= x1; ++x)
+  for (int z = tile[4]; z <= tile[5]; ++z)
   {
-    literal.Accumulate(row, x - x0, x, y, z);
+    for (int y = tile[2]; y <= tile[3]; ++y, ++rows)
+    {
+      CovarianceRow row =
+        rows->GetRow(0, tile[1] - tile[0], scalars.At(tile[0], y, z), this->Settings.Tolerance);
+      for (int x = tile[0]; x <= tile[1]; ++x)
+      {
+        literal.Accumulate(row, x - tile[0], x, y, z);
+      }
+    }
   }
 }
 
 void CovarianceSampler::SampleTile(
   const VoxelBox<float>& scalars, const Extent& tile, std::vector<CovarianceRows>& rows) const
 {
-  const bool isPerBlock = this->Settings.Pattern == Sampling::PerBlock;
-  for (int x0 = tile[0]; x0 <= tile[1];)
+  if (this->Settings.Pattern == Sampling::PerVoxel)
   {
-    const int x1 = isPerBlock ? std::min((BlockOf(x0) + 1) * BlockSize - 1, tile[1]) : tile[1];
-    const std::vector<SampleOffset> own =
-      isPerBlock ? this->GetPattern(x0, tile[2], tile[4]) : std::vector<SampleOffset>();
-    std::size_t row = 0;
-    for (int z = tile[4]; z <= tile[5]; ++z)
-    {
-      for (int y = tile[2]; y <= tile[3]; ++y, ++row)
-      {
-        if (this->Settings.Pattern == Sampling::PerVoxel)
-        {
-          this->SampleVoxels(scalars, x0, x1, y, z, rows[row]);
-        }
-        else
-        {
-          this->SampleSegment(
-            scalars, isPerBlock ? own : this->Fixed, x0, x1, y, z, rows[row], tile[0]);
-        }
-      }
-    }
-    x0 = x1 + 1;
+    this->SampleVoxels(scalars, tile, rows.data());
+    return;
+  }
+  if (this->Settings.Pattern != Sampling::PerBlock)
+  {
+    this->SampleBox(scalars, this->Fixed, tile, tile[0], rows.data());
+    return;
+  }
+  // From left to right: the kernel's last lanes may write beyond a block.
+  Extent box = tile;
+  for (box[0] = tile[0]; box[0] <= tile[1]; box[0] = box[1] + 1)
+  {
+    box[1] = std::min((BlockOf(box[0]) + 1) * BlockSize - 1, tile[1]);
+    this->SampleBox(scalars, this->BlockPattern(box), box, tile[0], rows.data());
   }
 }
 }

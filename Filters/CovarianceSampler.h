@@ -44,7 +44,6 @@ public:
   glm::dvec3 GetTangentCovariance(int voxel) const; // theta theta, theta phi, phi phi
 
 private:
-  friend class CovarianceSampler;
   std::vector<float> Numbers[9];
 };
 
@@ -56,27 +55,21 @@ public:
 
   CovarianceSampler(const ImageGrid& grid, const CovarianceSettings& settings);
 
-  // Voxels around a voxel that its samples may need.
-  static Halo GetReach(const ImageGrid& grid, double radius, bool interpolated);
-
   // Room that the scalars need at the ends of their rows.
   int GetPadding() const;
   // Samples of a voxel, in units of the time that one of a row pattern takes.
   double GetWorkPerVoxel() const;
 
-  // A row x0 to x1 of a block whose pattern is known (GetPattern).
-  std::vector<SampleOffset> GetPattern(int x, int y, int z) const;
-  void SampleSegment(const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern, int x0,
-    int x1, int y, int z, CovarianceRows& rows, int firstX) const;
-
   // All rows of a tile that lies within one block in y and z.
-  void SampleTile(const VoxelBox<float>& scalars, const Extent& tile, std::vector<CovarianceRows>& rows) const;
+  void SampleTile(
+    const VoxelBox<float>& scalars, const Extent& tile, std::vector<CovarianceRows>& rows) const;
 
 private:
-  void SampleVoxels(
-    const VoxelBox<float>& scalars, int x0, int x1, int y, int z, CovarianceRows& rows) const;
+  std::vector<SampleOffset> BlockPattern(const Extent& box) const;
+  void SampleBox(const VoxelBox<float>& scalars, const std::vector<SampleOffset>& pattern, const Extent& box,
+    int firstX, CovarianceRows* rows) const;
+  void SampleVoxels(const VoxelBox<float>& scalars, const Extent& tile, CovarianceRows* rows) const;
 
-  const ImageGrid& Grid;
   CovarianceSettings Settings;
   Ball Neighbourhood;
   std::vector<SampleOffset> Fixed; // Shared, Exhaustive

@@ -17,7 +17,7 @@ VoxelBox<double> WithWeights(const VoxelBox<double>& values)
 {
   const Extent& box = values.GetBox();
   const int components = values.GetComponents();
-  VoxelBox<double> weighted(box, components + 1, 0, 0, 0.0);
+  VoxelBox<double> weighted(box, components + 1, 0, 0.0);
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)
@@ -57,7 +57,7 @@ VoxelBox<double> GaussianFilter::ApplyAlong(
   const Extent& source = weighted.GetBox();
   const int components = weighted.GetComponents();
   const std::size_t length = static_cast<std::size_t>(box[1] - box[0] + 1) * components;
-  VoxelBox<double> means(box, components, 0, 0, 0.0);
+  VoxelBox<double> means(box, components, 0, 0.0);
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)
@@ -77,7 +77,8 @@ VoxelBox<double> GaussianFilter::ApplyAlong(
         const double weight = this->Weights[axis][std::abs(shift)];
         const double* from = weighted.At(x0 + dx, fromY, fromZ);
         const std::size_t start = static_cast<std::size_t>(x0 - box[0]) * components;
-        const std::size_t end = std::min(length, static_cast<std::size_t>(std::max(x1 - box[0] + 1, 0)) * components);
+        const std::size_t end =
+          std::min(length, static_cast<std::size_t>(std::max(x1 - box[0] + 1, 0)) * components);
         for (std::size_t i = start; i < end; ++i)
         {
           to[i] += weight * from[i - start];
@@ -98,7 +99,7 @@ VoxelBox<double> GaussianFilter::Apply(
   sums = this->ApplyAlong(1, sums, alongY);
   sums = this->ApplyAlong(2, sums, box);
   const int components = values.GetComponents();
-  VoxelBox<double> means(box, components, components, components, NoValue<double>());
+  VoxelBox<double> means(box, components, components, NoValue<double>());
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)

@@ -20,8 +20,7 @@ public:
 
   // Means of `values` over `box`; a voxel whose first number is NaN takes no part, and stays NaN
   // where keepMissing is set. Rows of the result are padded by one NaN at each end.
-  VoxelBox<double> Apply(
-    const VoxelBox<double>& values, const Extent& box, bool keepMissing = true) const;
+  VoxelBox<double> Apply(const VoxelBox<double>& values, const Extent& box, bool keepMissing = true) const;
 
 private:
   VoxelBox<double> ApplyAlong(int axis, const VoxelBox<double>& weighted, const Extent& box) const;

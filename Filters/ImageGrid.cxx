@@ -37,8 +37,7 @@ void FillDirection(vtkInformation* input, ImageGrid& grid)
     }
   }
   const bool isRegular = std::abs(glm::determinant(grid.Direction)) > 0.0;
-  grid.GradientToWorld =
-    isRegular ? glm::inverse(glm::transpose(grid.Direction)) : glm::dmat3(1.0);
+  grid.GradientToWorld = isRegular ? glm::inverse(glm::transpose(grid.Direction)) : glm::dmat3(1.0);
 }
 
 double FinestSpacing(const ImageGrid& grid)
@@ -133,8 +132,7 @@ bool Contains(const Extent& outer, const Extent& inner)
   bool contains = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    contains = contains && outer[2 * axis] <= inner[2 * axis] &&
-      outer[2 * axis + 1] >= inner[2 * axis + 1];
+    contains = contains && outer[2 * axis] <= inner[2 * axis] && outer[2 * axis + 1] >= inner[2 * axis + 1];
   }
   return contains;
 }
@@ -153,9 +151,8 @@ std::vector<Extent> SplitIntoTiles(const Extent& extent, int sizeY, int sizeZ)
   {
     for (int y = FloorMultiple(extent[2], sizeY); y <= extent[3]; y += sizeY)
     {
-      tiles.push_back({ extent[0], extent[1], std::max(y, extent[2]),
-        std::min(y + sizeY - 1, extent[3]), std::max(z, extent[4]),
-        std::min(z + sizeZ - 1, extent[5]) });
+      tiles.push_back({ extent[0], extent[1], std::max(y, extent[2]), std::min(y + sizeY - 1, extent[3]),
+        std::max(z, extent[4]), std::min(z + sizeZ - 1, extent[5]) });
     }
   }
   return tiles;

@@ -83,8 +83,7 @@ float LiteralSampling::Interpolated(const glm::ivec3& corner, const glm::vec3& f
 
 LiteralSampling::Found LiteralSampling::Sample(const glm::vec3& voxels, int x, int y, int z) const
 {
-  const glm::vec3 corner =
-    this->Settings.Interpolated ? glm::floor(voxels) : glm::floor(voxels + 0.5f);
+  const glm::vec3 corner = this->Settings.Interpolated ? glm::floor(voxels) : glm::floor(voxels + 0.5f);
   const glm::ivec3 index = glm::ivec3(x, y, z) + glm::ivec3(corner);
   if (this->Settings.Interpolated)
   {

@@ -18,8 +18,7 @@ struct CovarianceSettings;
 class LiteralSampling
 {
 public:
-  LiteralSampling(
-    const Ball& ball, const VoxelBox<float>& scalars, const CovarianceSettings& settings);
+  LiteralSampling(const Ball& ball, const VoxelBox<float>& scalars, const CovarianceSettings& settings);
 
   // The sums of the row's voxel number `voxel`, which lies at x, y, z.
   void Accumulate(CovarianceRow& row, int voxel, int x, int y, int z) const;
@@ -27,7 +26,7 @@ public:
 private:
   struct Found
   {
-    float Scalar; // NaN for no value
+    float Scalar;     // NaN for no value
     glm::vec3 Offset; // in voxels
   };
   Found Sample(const glm::vec3& voxels, int x, int y, int z) const;

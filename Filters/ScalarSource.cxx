@@ -59,9 +59,8 @@ ImageRows::ImageRows(vtkImageData* image, vtkDataArray* array, int component)
   : Array(array)
   , Ghosts(image->GetPointGhostArray())
   , Component(component)
-  , Memory(array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT
-        ? array->GetVoidPointer(0)
-        : nullptr)
+  , Memory(array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT ? array->GetVoidPointer(0)
+                                                                               : nullptr)
 {
   image->GetExtent(this->Box.data());
 }
@@ -76,8 +75,7 @@ void ImageRows::Read(int x0, int x1, int y, int z, double* values) const
   const vtkIdType start = point * stride + this->Component;
   switch (this->Memory ? this->Array->GetDataType() : VTK_VOID)
   {
-    vtkTemplateMacro(
-      ReadMemory(static_cast<const VTK_TT*>(this->Memory) + start, stride, count, values));
+    vtkTemplateMacro(ReadMemory(static_cast<const VTK_TT*>(this->Memory) + start, stride, count, values));
     default:
       for (int i = 0; i < count; ++i)
       {
@@ -126,7 +124,7 @@ void ScalarSource::ReadResampledRow(int x0, int x1, int y, int z, double* values
 
 VoxelBox<double> ScalarSource::LoadUnsmoothed(const Extent& box) const
 {
-  VoxelBox<double> scalars(box, 1, 1, 1, NoValue<double>());
+  VoxelBox<double> scalars(box, 1, 1, NoValue<double>());
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)

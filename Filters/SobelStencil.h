@@ -27,8 +27,7 @@ public:
   void Row(const VoxelBox<double>& scalars, int x0, int x1, int y, int z, glm::dvec3* gradients) const;
 
 private:
-  bool FastRow(
-    const VoxelBox<double>& scalars, int x0, int x1, int y, int z, glm::dvec3* gradients) const;
+  bool FastRow(const VoxelBox<double>& scalars, int x0, int x1, int y, int z, glm::dvec3* gradients) const;
   glm::dvec3 AtIncomplete(const VoxelBox<double>& scalars, int x, int y, int z) const;
   double Along(int axis, const double (&values)[27]) const;
 

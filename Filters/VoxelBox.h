@@ -8,9 +8,10 @@
 
 #include "ImageGrid.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <vector>
+#include <memory>
 
 namespace volumeoptics
 {
@@ -27,14 +28,29 @@ class VoxelBox
 public:
   VoxelBox() = default;
 
-  // padding: numbers before the first and after the last voxel of a row.
-  VoxelBox(const Extent& box, int components, int paddingBefore, int paddingAfter, Number value)
+  // padding: numbers before the first and after the last voxel of a row. Nothing is set yet: large
+  // boxes are set by the threads that work on them.
+  VoxelBox(const Extent& box, int components, int padding)
     : Box(box)
     , Components(components)
-    , PaddingBefore(paddingBefore)
-    , RowLength(static_cast<std::size_t>(box[1] - box[0] + 1) * components + paddingBefore + paddingAfter)
-    , Numbers(RowLength * (box[3] - box[2] + 1) * (box[5] - box[4] + 1), value)
+    , Padding(padding)
+    , RowLength(static_cast<std::size_t>(box[1] - box[0] + 1) * components + 2 * padding)
+    , Size(RowLength * (box[3] - box[2] + 1) * (box[5] - box[4] + 1))
+    , Numbers(new Number[Size])
   {
+  }
+
+  VoxelBox(const Extent& box, int components, int padding, Number value)
+    : VoxelBox(box, components, padding)
+  {
+    std::fill(this->Numbers.get(), this->Numbers.get() + this->Size, value);
+  }
+
+  // A row with its padding.
+  void SetRow(int y, int z, Number value)
+  {
+    Number* start = this->Row(y, z) - this->Padding;
+    std::fill(start, start + this->RowLength, value);
   }
 
   const Extent& GetBox() const { return this->Box; }
@@ -45,8 +61,16 @@ public:
   }
 
   // The first voxel of a row: x = GetBox()[0].
-  Number* Row(int y, int z) { return this->Numbers.data() + this->RowStart(y, z); }
-  const Number* Row(int y, int z) const { return this->Numbers.data() + this->RowStart(y, z); }
+  Number* Row(int y, int z) { return this->Numbers.get() + this->RowStart(y, z); }
+  const Number* Row(int y, int z) const { return this->Numbers.get() + this->RowStart(y, z); }
+
+  // Numbers from a voxel to the one at an index offset.
+  std::ptrdiff_t Offset(int dx, int dy, int dz) const
+  {
+    const std::ptrdiff_t rowsPerSlice = this->Box[3] - this->Box[2] + 1;
+    return static_cast<std::ptrdiff_t>(dx) * this->Components +
+      static_cast<std::ptrdiff_t>(this->RowLength) * (dy + rowsPerSlice * dz);
+  }
 
   Number* At(int x, int y, int z)
   {
@@ -61,14 +85,15 @@ private:
   std::size_t RowStart(int y, int z) const
   {
     const std::size_t rowsPerSlice = this->Box[3] - this->Box[2] + 1;
-    return this->PaddingBefore + this->RowLength * ((y - this->Box[2]) + rowsPerSlice * (z - this->Box[4]));
+    return this->Padding + this->RowLength * ((y - this->Box[2]) + rowsPerSlice * (z - this->Box[4]));
   }
 
   Extent Box = { 0, -1, 0, -1, 0, -1 };
   int Components = 1;
-  std::size_t PaddingBefore = 0;
+  std::size_t Padding = 0;
   std::size_t RowLength = 0;
-  std::vector<Number> Numbers;
+  std::size_t Size = 0;
+  std::unique_ptr<Number[]> Numbers;
 };
 }
 

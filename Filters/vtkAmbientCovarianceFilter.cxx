@@ -5,6 +5,7 @@
 
 #include "Batches.h"
 #include "CovarianceField.h"
+#include "RangeSearch.h"
 
 #include "vtkDataArray.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -16,7 +17,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkAmbientCovarianceFilter);
@@ -35,35 +35,17 @@ vtkDataArray* FindNormals(vtkImageData* image)
   vtkDataArray* normals = named ? named : image->GetPointData()->GetNormals();
   return normals && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
 }
-
-// Range of a box's values; (1, 0) if it has none.
-void ExtendRange(const volumeoptics::ImageRows& rows, const Extent& box, double range[2])
-{
-  std::vector<double> values(box[1] - box[0] + 1);
-  for (int z = box[4]; z <= box[5]; ++z)
-  {
-    for (int y = box[2]; y <= box[3]; ++y)
-    {
-      rows.Read(box[0], box[1], y, z, values.data());
-      for (const double value : values)
-      {
-        if (!std::isnan(value))
-        {
-          const bool isFirst = range[0] > range[1];
-          range[0] = isFirst ? value : std::min(range[0], value);
-          range[1] = isFirst ? value : std::max(range[1], value);
-        }
-      }
-    }
-  }
-}
 }
 
 //------------------------------------------------------------------------------
 vtkAmbientCovarianceFilter::vtkAmbientCovarianceFilter()
+  : Search(std::make_unique<volumeoptics::RangeSearch>())
 {
   this->SetNumberOfInputPorts(2);
 }
+
+//------------------------------------------------------------------------------
+vtkAmbientCovarianceFilter::~vtkAmbientCovarianceFilter() = default;
 
 //------------------------------------------------------------------------------
 int vtkAmbientCovarianceFilter::FillInputPortInformation(int port, vtkInformation* information)
@@ -95,8 +77,7 @@ void vtkAmbientCovarianceFilter::SetRadius(double radius)
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetScalarTolerance(double tolerance)
 {
-  const double value =
-    this->WithinRange("ScalarTolerance", tolerance, 0.0, 1.0, this->ScalarTolerance);
+  const double value = this->WithinRange("ScalarTolerance", tolerance, 0.0, 1.0, this->ScalarTolerance);
   if (value != this->ScalarTolerance)
   {
     this->ScalarTolerance = value;
@@ -124,8 +105,8 @@ void vtkAmbientCovarianceFilter::SetScalarRange(double least, double largest)
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetNumberOfSamples(int number)
 {
-  const int value = static_cast<int>(
-    this->WithinRange("NumberOfSamples", number, 3, 65536, this->NumberOfSamples));
+  const int value =
+    static_cast<int>(this->WithinRange("NumberOfSamples", number, 3, 65536, this->NumberOfSamples));
   if (value != this->NumberOfSamples)
   {
     this->NumberOfSamples = value;
@@ -218,20 +199,18 @@ int vtkAmbientCovarianceFilter::RequestUpdateExtent(
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
   const ImageGrid grid = this->GetGrid(inputs);
-  if (this->RangeSlab >= 0)
+  if (this->Search->IsSearching())
   {
-    int slab[6];
-    this->GetRangeSlab(grid.InputWhole.data(), slab);
+    const Extent slab = this->Search->GetSlab(grid.InputWhole);
     inputs[0]->GetInformationObject(0)->Set(
-      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), slab, 6);
+      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), slab.data(), 6);
   }
   if (inputs[1]->GetNumberOfInformationObjects() > 0)
   {
     Extent extent;
-    outputs->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
-    volumeoptics::Halo halo = volumeoptics::CovarianceField::GetFilterReach(
-      grid, this->FilterStandardDeviation * grid.VoxelLength);
+    outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+    volumeoptics::Halo halo =
+      volumeoptics::CovarianceField::GetFilterReach(grid, this->FilterStandardDeviation * grid.VoxelLength);
     std::for_each(halo.begin(), halo.end(), [](int& voxels) { ++voxels; });
     extent = volumeoptics::IsEmpty(extent) ? extent : volumeoptics::Grown(extent, halo, grid.Whole);
     inputs[1]->GetInformationObject(0)->Set(
@@ -241,135 +220,83 @@ int vtkAmbientCovarianceFilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-void vtkAmbientCovarianceFilter::GetRangeSlab(const int whole[6], int slab[6]) const
+bool vtkAmbientCovarianceFilter::FindRange(vtkInformationVector** inputs, vtkDataArray* scalars)
 {
-  std::copy(whole, whole + 6, slab);
-  slab[4] = whole[4] + this->RangeSlab * this->RangeSlabSize;
-  slab[5] = std::min(slab[4] + this->RangeSlabSize - 1, whole[5]);
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkAmbientCovarianceFilter::GetInputTime()
-{
-  auto* pipeline =
-    vtkDemandDrivenPipeline::SafeDownCast(this->GetInputAlgorithm(0, 0)->GetExecutive());
-  return pipeline ? pipeline->GetPipelineMTime() : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkAmbientCovarianceFilter::AddToRange(vtkInformationVector** inputs)
-{
-  vtkDataArray* scalars = this->GetScalars(inputs);
-  if (!scalars)
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetInputAlgorithm(0, 0)->GetExecutive());
+  const volumeoptics::RangeSearch::Key key = { pipeline ? pipeline->GetPipelineMTime() : 0,
+    scalars->GetName() ? scalars->GetName() : "", this->InputComponent };
+  if (!this->Search->IsSearching() && this->Search->IsKnown(key))
   {
-    return false;
+    return true;
   }
-  const volumeoptics::ImageRows rows(
-    vtkImageData::GetData(inputs[0]), scalars, this->InputComponent);
-  const auto tiles = volumeoptics::SplitIntoTiles(rows.GetBox(), 32, 1.0e6);
-  std::vector<std::array<double, 2>> ranges(tiles.size(), { 1.0, 0.0 });
+  const Extent whole = this->GetGrid(inputs).InputWhole;
+  const volumeoptics::ImageRows rows(vtkImageData::GetData(inputs[0]), scalars, this->InputComponent);
+  const bool isSlab = this->Search->IsSearching();
+  const bool isWhole = !isSlab && volumeoptics::Contains(rows.GetBox(), whole);
+  if (!isSlab)
+  {
+    this->Search->Start(whole, rows.GetBox());
+  }
   volumeoptics::Batches batches(this);
-  const bool isComplete = batches.Run(tiles.size(), 0.0,
-    [&](long long unit) { ExtendRange(rows, tiles[unit], ranges[unit].data()); });
-  for (const auto& range : ranges)
+  if ((isSlab || isWhole) && !this->Search->Add(batches, rows))
   {
-    if (range[0] <= range[1])
-    {
-      const bool isFirst = this->FoundRange[0] > this->FoundRange[1];
-      this->FoundRange[0] = isFirst ? range[0] : std::min(this->FoundRange[0], range[0]);
-      this->FoundRange[1] = isFirst ? range[1] : std::max(this->FoundRange[1], range[1]);
-    }
+    this->Search->Stop();
+    return true; // aborted
   }
-  return isComplete;
-}
-
-//------------------------------------------------------------------------------
-// True if the filter must be executed again, with another extent of the input.
-bool vtkAmbientCovarianceFilter::NeedsRangePass(
-  vtkInformation* request, vtkInformationVector** inputs)
-{
-  const ImageGrid grid = this->GetGrid(inputs);
-  vtkImageData* input = vtkImageData::GetData(inputs[0]);
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs);
-  const std::string name = scalars && scalars->GetName() ? scalars->GetName() : "";
-  const bool isKnown = this->RangeSlab < 0 && this->FoundRangeTime == this->GetInputTime() &&
-    this->FoundRangeName == name && this->FoundRangeComponent == this->InputComponent;
-  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  if (this->HasScalarRange() || isKnown || !scalars)
+  if (isWhole || (isSlab && !this->Search->Next(whole)))
   {
-    this->RangeSlab = -1;
-    return false;
+    this->Search->Finish(key);
   }
-  Extent box;
-  input->GetExtent(box.data());
-  const bool hasWhole = this->RangeSlab < 0 && volumeoptics::Contains(box, grid.InputWhole);
-  if (this->RangeSlab < 0)
-  {
-    this->FoundRange[0] = 1.0;
-    this->FoundRange[1] = 0.0;
-    const Extent slice = { grid.InputWhole[0], grid.InputWhole[1], grid.InputWhole[2],
-      grid.InputWhole[3], 0, 0 };
-    const long long slices = volumeoptics::NumberOfVoxels(box) / volumeoptics::NumberOfVoxels(slice);
-    this->RangeSlabSize = static_cast<int>(std::max(slices, 1LL));
-  }
-  if ((hasWhole || this->RangeSlab >= 0) && !this->AddToRange(inputs))
-  {
-    this->RangeSlab = -1;
-    return false;
-  }
-  const int slices = grid.InputWhole[5] - grid.InputWhole[4] + 1;
-  ++this->RangeSlab;
-  const bool isComplete = hasWhole || this->RangeSlab * this->RangeSlabSize >= slices;
-  if (isComplete)
-  {
-    this->RangeSlab = -1;
-    this->FoundRangeTime = this->GetInputTime();
-    this->FoundRangeName = name;
-    this->FoundRangeComponent = this->InputComponent;
-  }
-  if (!hasWhole)
-  {
-    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
-  }
-  return !hasWhole;
+  return isWhole;
 }
 
 //------------------------------------------------------------------------------
 int vtkAmbientCovarianceFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return this->NeedsRangePass(request, inputs)
-    ? 1
-    : this->Superclass::RequestData(request, inputs, outputs);
+  request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
+    association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    this->InputComponent < scalars->GetNumberOfComponents();
+  if (isUsable && !this->HasScalarRange() && !this->FindRange(inputs, scalars))
+  {
+    // Once more, for the next slab or, with the range known, for the piece.
+    request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
+    return 1;
+  }
+  this->Search->Stop();
+  return this->Superclass::RequestData(request, inputs, outputs);
 }
 
 //------------------------------------------------------------------------------
-bool vtkAmbientCovarianceFilter::ComputeCodes(const ImageGrid& grid,
-  const volumeoptics::ImageRows& rows, vtkInformationVector** inputs,
-  volumeoptics::Batches& batches, volumeoptics::VoxelBox<float>& codes)
+bool vtkAmbientCovarianceFilter::ComputeCodes(const ImageGrid& grid, const volumeoptics::ImageRows& rows,
+  vtkInformationVector** inputs, volumeoptics::Batches& batches, volumeoptics::VoxelBox<float>& codes)
 {
   std::unique_ptr<volumeoptics::NormalSource> normals;
   if (vtkImageData* image = vtkImageData::GetData(inputs[1]))
   {
     Extent whole;
-    inputs[1]->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
+    inputs[1]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
     vtkDataArray* array = FindNormals(image);
     if (!array || whole != grid.Whole)
     {
-      vtkErrorMacro(<< "The second input " << (array ? "has another extent than the output"
-                                                     : "has no point array of 3 components called Normals")
-                    << ". Give it the output of vtkSobelNormalFilter with the same ResolutionFactor, or none.");
+      vtkErrorMacro(
+        << "The second input "
+        << (array ? "has another extent than the output"
+                  : "has no point array of 3 components called Normals")
+        << ". Give it the output of vtkSobelNormalFilter with the same ResolutionFactor, or none.");
       return false;
     }
     normals = std::make_unique<volumeoptics::NormalSource>(image, array);
   }
   const double unit = grid.VoxelLength;
-  const double* range = this->HasScalarRange() ? this->ScalarRange : this->FoundRange;
+  const double* range = this->HasScalarRange() ? this->ScalarRange : this->Search->GetRange();
   const volumeoptics::CovarianceFieldSettings settings = {
     { this->Radius * unit, this->ScalarTolerance, this->NumberOfSamples,
-      static_cast<volumeoptics::Sampling>(this->SamplingPattern),
-      this->SampleInterpolation == Linear, this->Seed },
+      static_cast<volumeoptics::Sampling>(this->SamplingPattern), this->SampleInterpolation == Linear,
+      this->Seed },
     { range[0], range[1] }, this->FilterStandardDeviation * unit, this->NoiseCorrection,
     static_cast<volumeoptics::Storage>(this->Storage)
   };

@@ -24,7 +24,12 @@
 #include "vtkAnisotropyFilter.h"
 #include "vtkVolumeOpticsModule.h" // for export macro
 
-#include <string> // for the range's source
+#include <memory> // for the search of the range
+
+namespace volumeoptics
+{
+class RangeSearch;
+}
 
 class VTKVOLUMEOPTICS_EXPORT vtkAmbientCovarianceFilter : public vtkAnisotropyFilter
 {
@@ -151,7 +156,7 @@ public:
 
 protected:
   vtkAmbientCovarianceFilter();
-  ~vtkAmbientCovarianceFilter() override = default;
+  ~vtkAmbientCovarianceFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -163,10 +168,8 @@ protected:
 
 private:
   bool HasScalarRange() const { return this->ScalarRange[0] <= this->ScalarRange[1]; }
-  bool NeedsRangePass(vtkInformation* request, vtkInformationVector** inputs);
-  void GetRangeSlab(const int whole[6], int slab[6]) const;
-  bool AddToRange(vtkInformationVector** inputs);
-  vtkMTimeType GetInputTime();
+  // False if the filter must be executed again, with another extent of the input.
+  bool FindRange(vtkInformationVector** inputs, vtkDataArray* scalars);
 
   double Radius = 10.0;
   double ScalarTolerance = 0.05;
@@ -178,12 +181,7 @@ private:
   bool NoiseCorrection = false;
   int Seed = 1;
 
-  double FoundRange[2] = { 1.0, 0.0 }; // of the whole extent
-  vtkMTimeType FoundRangeTime = 0;
-  std::string FoundRangeName;
-  int FoundRangeComponent = 0;
-  int RangeSlab = -1; // being requested; -1: none, the piece itself is
-  int RangeSlabSize = 1;
+  std::unique_ptr<volumeoptics::RangeSearch> Search;
 
   vtkAmbientCovarianceFilter(const vtkAmbientCovarianceFilter&) = delete;
   void operator=(const vtkAmbientCovarianceFilter&) = delete;

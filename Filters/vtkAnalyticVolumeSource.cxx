@@ -21,8 +21,8 @@
 
 vtkStandardNewMacro(vtkAnalyticVolumeSource);
 
-static_assert(static_cast<int>(vtkAnalyticVolumeSource::NumberOfFields) ==
-    static_cast<int>(analytic::NumberOfFields),
+static_assert(
+  static_cast<int>(vtkAnalyticVolumeSource::NumberOfFields) == static_cast<int>(analytic::NumberOfFields),
   "the class and AnalyticFields.h list the same fields");
 
 namespace
@@ -63,8 +63,7 @@ void SampleRow(const analytic::AnalyticField& field, vtkImageData* output, int y
 }
 
 template <class Scalar>
-void SampleRows(
-  const analytic::AnalyticField& field, vtkImageData* output, vtkIdType first, vtkIdType last)
+void SampleRows(const analytic::AnalyticField& field, vtkImageData* output, vtkIdType first, vtkIdType last)
 {
   const int* extent = output->GetExtent();
   const vtkIdType rowsInSlice = extent[3] - extent[2] + 1;
@@ -180,8 +179,7 @@ int vtkAnalyticVolumeSource::RequestData(
   const analytic::AnalyticField field(this->Field, parameters);
 
   const int* extent = output->GetExtent();
-  const vtkIdType rows =
-    static_cast<vtkIdType>(extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1);
+  const vtkIdType rows = static_cast<vtkIdType>(extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1);
   for (vtkIdType portion = 0; portion < NumberOfPortions && !this->GetAbortExecute(); ++portion)
   {
     const vtkIdType first = rows * portion / NumberOfPortions;

@@ -39,15 +39,14 @@ const char* vtkAnisotropyFilter::GetStorageAsString()
 
 //------------------------------------------------------------------------------
 bool vtkAnisotropyFilter::ComputeArrays(const volumeoptics::ImageGrid& grid,
-  const volumeoptics::ImageRows& rows, vtkInformationVector** inputs,
-  volumeoptics::Batches& batches, vtkImageData* output)
+  const volumeoptics::ImageRows& rows, vtkInformationVector** inputs, volumeoptics::Batches& batches,
+  vtkImageData* output)
 {
   volumeoptics::Extent extent;
   output->GetExtent(extent.data());
   const int components =
     volumeoptics::NumberOfCodeComponents(static_cast<volumeoptics::Storage>(this->Storage));
-  volumeoptics::VoxelBox<float> codes(volumeoptics::Grown(extent, { 1, 1, 1 }, grid.Whole),
-    components, 0, 0, volumeoptics::NoValue<float>());
+  volumeoptics::VoxelBox<float> codes(volumeoptics::Grown(extent, { 1, 1, 1 }, grid.Whole), components, 0);
   if (!this->ComputeCodes(grid, rows, inputs, batches, codes))
   {
     return false;

@@ -58,12 +58,11 @@ protected:
   ~vtkAnisotropyFilter() override = default;
 
   /**
-   * The numbers of the voxels of a box, as floats; NaN where there is no estimate. The box is the
+   * Sets the numbers of all voxels of a box, NaN where there is no estimate. The box is the
    * output's, grown by one voxel. False on abort or error.
    */
   virtual bool ComputeCodes(const volumeoptics::ImageGrid& grid, const volumeoptics::ImageRows& rows,
-    vtkInformationVector** inputs, volumeoptics::Batches& batches,
-    volumeoptics::VoxelBox<float>& codes) = 0;
+    vtkInformationVector** inputs, volumeoptics::Batches& batches, volumeoptics::VoxelBox<float>& codes) = 0;
 
   bool ComputeArrays(const volumeoptics::ImageGrid& grid, const volumeoptics::ImageRows& rows,
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) override;

@@ -46,8 +46,8 @@ double vtkOpticsImageFilter::WithinRange(
 {
   if (std::isnan(value))
   {
-    vtkWarningMacro(<< name << " is not a number; it stays " << current << ". Its range is [" << least
-                    << ", " << largest << "].");
+    vtkWarningMacro(<< name << " is not a number; it stays " << current << ". Its range is [" << least << ", "
+                    << largest << "].");
     return current;
   }
   const double nearest = std::clamp(value, least, largest);
@@ -62,8 +62,7 @@ double vtkOpticsImageFilter::WithinRange(
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetResolutionFactor(double factor)
 {
-  const double value =
-    this->WithinRange("ResolutionFactor", factor, 0.01, 1.0, this->ResolutionFactor);
+  const double value = this->WithinRange("ResolutionFactor", factor, 0.01, 1.0, this->ResolutionFactor);
   if (value != this->ResolutionFactor)
   {
     this->ResolutionFactor = value;
@@ -74,8 +73,7 @@ void vtkOpticsImageFilter::SetResolutionFactor(double factor)
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetSmoothing(double standardDeviation)
 {
-  const double value =
-    this->WithinRange("Smoothing", standardDeviation, 0.0, 100.0, this->Smoothing);
+  const double value = this->WithinRange("Smoothing", standardDeviation, 0.0, 100.0, this->Smoothing);
   if (value != this->Smoothing)
   {
     this->Smoothing = value;
@@ -86,8 +84,8 @@ void vtkOpticsImageFilter::SetSmoothing(double standardDeviation)
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetInputComponent(int component)
 {
-  const int value = static_cast<int>(
-    this->WithinRange("InputComponent", component, 0, VTK_INT_MAX, this->InputComponent));
+  const int value =
+    static_cast<int>(this->WithinRange("InputComponent", component, 0, VTK_INT_MAX, this->InputComponent));
   if (value != this->InputComponent)
   {
     this->InputComponent = value;
@@ -158,8 +156,7 @@ int vtkOpticsImageFilter::RequestUpdateExtent(
   int input[6];
   this->GetNeededExtent(this->GetGrid(inputs),
     outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()), input);
-  inputs[0]->GetInformationObject(0)->Set(
-    vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
+  inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
   return 1;
 }
 

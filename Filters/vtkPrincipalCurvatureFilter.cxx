@@ -17,8 +17,7 @@ vtkStandardNewMacro(vtkPrincipalCurvatureFilter);
 namespace
 {
 void StoreTile(const volumeoptics::ImageGrid& grid, const volumeoptics::ScalarSource& source,
-  const volumeoptics::Extent& tile, volumeoptics::Storage storage,
-  volumeoptics::VoxelBox<float>& codes)
+  const volumeoptics::Extent& tile, volumeoptics::Storage storage, volumeoptics::VoxelBox<float>& codes)
 {
   volumeoptics::GradientTile gradients(grid, source, tile);
   for (int z = tile[4]; z <= tile[5]; ++z)
@@ -26,18 +25,17 @@ void StoreTile(const volumeoptics::ImageGrid& grid, const volumeoptics::ScalarSo
     for (int y = tile[2]; y <= tile[3]; ++y)
     {
       const glm::dvec3* gradient = gradients.Row(y, z);
+      const volumeoptics::HessianRow hessian(grid, gradients.GetScalars(), y, z);
+      codes.SetRow(y, z, volumeoptics::NoValue<float>());
       for (int x = tile[0]; x <= tile[1]; ++x)
       {
-        const volumeoptics::NormalAndMagnitude surface =
-          volumeoptics::NormalOf(gradient[x - tile[0]]);
+        const volumeoptics::NormalAndMagnitude surface = volumeoptics::NormalOf(gradient[x - tile[0]]);
         if (surface.Magnitude > 0.0)
         {
-          const glm::dmat3 hessian =
-            volumeoptics::HessianAt(grid, gradients.GetScalars(), x, y, z);
           const glm::dvec3 curvature =
-            volumeoptics::TangentCurvature(surface.Normal, surface.Magnitude, hessian);
+            volumeoptics::TangentCurvature(surface.Normal, surface.Magnitude, hessian.At(x));
           volumeoptics::EncodeAnisotropy(storage, surface.Normal,
-            volumeoptics::AnisotropyOfCurvature(curvature), codes.At(x, y, z));
+            volumeoptics::AnisotropyOfCurvature(curvature * grid.VoxelLength), codes.At(x, y, z));
         }
       }
     }
@@ -64,10 +62,10 @@ bool vtkPrincipalCurvatureFilter::ComputeCodes(const volumeoptics::ImageGrid& gr
   volumeoptics::VoxelBox<float>& codes)
 {
   const volumeoptics::ScalarSource source(grid, rows, this->Smoothing * grid.VoxelLength);
-  const auto tiles = volumeoptics::SplitIntoTiles(codes.GetBox(), 32, 1.0e6);
+  const auto tiles = volumeoptics::SplitIntoTiles(codes.GetBox(), 16, 1.0e5);
   const auto storage = static_cast<volumeoptics::Storage>(this->Storage);
-  return batches.Run(tiles.size(), 0.9,
-    [&](long long unit) { StoreTile(grid, source, tiles[unit], storage, codes); });
+  return batches.Run(
+    tiles.size(), 0.9, [&](long long unit) { StoreTile(grid, source, tiles[unit], storage, codes); });
 }
 
 //------------------------------------------------------------------------------

@@ -20,8 +20,7 @@ namespace
 {
 const double LargestFloat = std::numeric_limits<float>::max();
 
-void StoreRow(
-  const glm::dvec3* gradients, int count, int bits, float* normals, float* magnitudes)
+void StoreRow(const glm::dvec3* gradients, int count, int bits, float* normals, float* magnitudes)
 {
   for (int i = 0; i < count; ++i)
   {

@@ -3,13 +3,14 @@
 
 #include "vtkStructuralDissimilarity.h"
 
+#include "PicturePlane.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -21,100 +22,16 @@ vtkStandardNewMacro(vtkStructuralDissimilarity);
 
 namespace
 {
+using picture::ForEachRow;
+using picture::GaussianWindow;
+using picture::HalfSize;
+using picture::Plane;
+using picture::Smooth;
+
 // [Wang2004] (K2 L)^2/2 with K2 = 0.03, L = 1.
 const double StructureConstant = 0.03 * 0.03 / 2.0;
 // [Wang2003] section 4.
 const double ScaleWeights[] = { 0.0448, 0.2856, 0.3001, 0.2363, 0.1333 };
-
-struct Plane
-{
-  int width = 0;
-  int height = 0;
-  std::vector<double> values;
-
-  Plane(int itsWidth, int itsHeight)
-    : width(itsWidth)
-    , height(itsHeight)
-    , values(static_cast<size_t>(itsWidth) * itsHeight)
-  {
-  }
-  double& At(int x, int y) { return this->values[static_cast<size_t>(y) * this->width + x]; }
-  double At(int x, int y) const { return this->values[static_cast<size_t>(y) * this->width + x]; }
-};
-
-// One side of a symmetric kernel, from the middle outwards.
-std::vector<double> GaussianWindow()
-{
-  std::vector<double> weights(6);
-  for (size_t i = 0; i < weights.size(); ++i)
-  {
-    const double distance = static_cast<double>(i) / 1.5;
-    weights[i] = std::exp(-0.5 * distance * distance);
-  }
-  return weights;
-}
-
-const std::vector<double> BinomialKernel = { 6.0, 4.0, 1.0 };
-
-// The mean of value(i) around `at` over [0, count), with the weights that lie inside.
-template <class Value>
-double WeightedMean(const std::vector<double>& kernel, int at, int count, Value value)
-{
-  const int radius = static_cast<int>(kernel.size()) - 1;
-  double sum = 0.0;
-  double weights = 0.0;
-  for (int i = std::max(at - radius, 0); i <= std::min(at + radius, count - 1); ++i)
-  {
-    const double weight = kernel[std::abs(i - at)];
-    sum += weight * value(i);
-    weights += weight;
-  }
-  return sum / weights;
-}
-
-template <class Row>
-void ForEachRow(int height, Row row)
-{
-  vtkSMPTools::For(0, height, [&row](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType y = begin; y < end; ++y)
-    {
-      row(static_cast<int>(y));
-    }
-  });
-}
-
-Plane Smooth(const Plane& plane, const std::vector<double>& kernel)
-{
-  Plane across(plane.width, plane.height);
-  ForEachRow(plane.height, [&](int y) {
-    for (int x = 0; x < plane.width; ++x)
-    {
-      across.At(x, y) = WeightedMean(kernel, x, plane.width, [&](int i) { return plane.At(i, y); });
-    }
-  });
-  Plane smooth(plane.width, plane.height);
-  ForEachRow(plane.height, [&](int y) {
-    for (int x = 0; x < plane.width; ++x)
-    {
-      smooth.At(x, y) = WeightedMean(kernel, y, plane.height, [&](int i) { return across.At(x, i); });
-    }
-  });
-  return smooth;
-}
-
-Plane HalfSize(const Plane& plane)
-{
-  const Plane smooth = Smooth(plane, BinomialKernel);
-  Plane half((plane.width + 1) / 2, (plane.height + 1) / 2);
-  for (int y = 0; y < half.height; ++y)
-  {
-    for (int x = 0; x < half.width; ++x)
-    {
-      half.At(x, y) = smooth.At(2 * x, 2 * y);
-    }
-  }
-  return half;
-}
 
 // mean(a b) - mean(a) mean(b) under the window. Variances and covariance of equal planes come out
 // equal to the last bit, because they are computed alike.
@@ -166,8 +83,7 @@ Plane DissimilarityMap(
   advance();
   for (size_t i = 0; i < map.values.size(); ++i)
   {
-    map.values[i] =
-      Dissimilarity(varianceR.values[i], varianceP.values[i], map.values[i], homogeneityWeight);
+    map.values[i] = Dissimilarity(varianceR.values[i], varianceP.values[i], map.values[i], homogeneityWeight);
   }
   return map;
 }
@@ -188,10 +104,9 @@ Plane Luminance(vtkImageData* image)
   Plane plane(dimensions[0], dimensions[1]);
   for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
   {
-    const double luminance = isColor
-      ? 0.2126 * scalars->GetComponent(i, 0) + 0.7152 * scalars->GetComponent(i, 1) +
-        0.0722 * scalars->GetComponent(i, 2)
-      : scalars->GetComponent(i, 0);
+    const double luminance = isColor ? 0.2126 * scalars->GetComponent(i, 0) +
+        0.7152 * scalars->GetComponent(i, 1) + 0.0722 * scalars->GetComponent(i, 2)
+                                     : scalars->GetComponent(i, 0);
     plane.values[i] = std::isfinite(luminance) ? luminance / white : 0.0;
   }
   return plane;
@@ -262,8 +177,8 @@ bool vtkStructuralDissimilarity::AreComparable(vtkImageData* reference, vtkImage
   const int* p = picture->GetDimensions();
   if (r[0] != p[0] || r[1] != p[1] || r[2] != 1 || p[2] != 1)
   {
-    vtkErrorMacro(<< "The pictures are " << r[0] << " x " << r[1] << " x " << r[2] << " and " << p[0]
-                  << " x " << p[1] << " x " << p[2] << ". Give two of equal size and one slice.");
+    vtkErrorMacro(<< "The pictures are " << r[0] << " x " << r[1] << " x " << r[2] << " and " << p[0] << " x "
+                  << p[1] << " x " << p[2] << ". Give two of equal size and one slice.");
     return false;
   }
   return true;

@@ -28,6 +28,7 @@ set(filter_sources
   ImageGrid
   LiteralSampling
   PrincipalCurvature
+  RangeSearch
   SamplePattern
   ScalarSource
   SobelStencil)

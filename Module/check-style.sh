@@ -7,52 +7,56 @@
 #   Module/check-style.sh                 clang-format; quick, for .git/hooks/pre-commit
 #   Module/check-style.sh --fix           lets clang-format write the files
 #   Module/check-style.sh --tidy BUILD    clang-tidy, with BUILD/compile_commands.json, on the files
-#                                         that differ from origin/main, or on all; it stops after
-#                                         TIDY_SECONDS (300) and says how many files are left
+#                                         that differ from origin/main, or on all (with CI in the
+#                                         environment); it stops after TIDY_SECONDS (300) and says
+#                                         how many files it checked
 
 set -euo pipefail
 cd "$(git rev-parse --show-toplevel)"
 
-sources() { git ls-files "$@"; }
-
 format() {
-  sources '*.h' '*.cxx' | xargs clang-format "$@"
+  git ls-files '*.h' '*.cxx' | xargs clang-format "$@"
 }
 
+# Those of this branch, or all, as in CI; what was changed last comes first.
 changed_sources() {
-  local base
-  if base=$(git merge-base HEAD origin/main 2>/dev/null) &&
+  local base range=HEAD
+  if [ -z "${CI:-}" ] && base=$(git merge-base HEAD origin/main 2>/dev/null) &&
     [ "$base" != "$(git rev-parse HEAD)" ]; then
-    git diff --name-only --diff-filter=d "$base" -- '*.cxx'
-  else
-    sources '*.cxx'
+    range=$base..HEAD
   fi
+  git log --name-only --format= "$range" -- '*.cxx' | awk 'NF && !seen[$0]++'
 }
 
 tidy() {
-  local build=$1 files=() left
-  # Only what is compiled, and so is in the data base of commands.
+  local build=$1 files=() log clean bad
   while read -r file; do
-    if grep -q "\"file\": \"$PWD/$file\"" "$build/compile_commands.json"; then
+    # What is compiled is in the data base of commands.
+    if grep -q "\"file\": \"$PWD/$file\"" "$build/compile_commands.json" && [ -e "$file" ]; then
       files+=("$file")
     fi
   done < <(changed_sources)
-  [ ${#files[@]} -gt 0 ] || return 0
+  if [ ${#files[@]} -eq 0 ]; then
+    echo "clang-tidy: no C++ file differs from origin/main"
+    return 0
+  fi
 
-  local log status=0
   log=$(mktemp)
   printf '%s\0' "${files[@]}" |
     timeout "${TIDY_SECONDS:-300}" xargs -0 -n 1 -P "$(nproc)" sh -c '
-      clang-tidy --quiet -p "$0" --extra-arg=-Wno-unknown-warning-option "$2" 2>/dev/null &&
-        echo "$2" >>"$1"' "$build" "$log" || status=$?
-  left=$((${#files[@]} - $(wc -l <"$log")))
+      if clang-tidy --quiet -p "$0" --extra-arg=-Wno-unknown-warning-option "$2" 2>/dev/null; then
+        echo "clean $2" >>"$1"
+      else
+        echo "bad $2" >>"$1"
+      fi' "$build" "$log" || true
+  clean=$(grep -c '^clean' "$log" || true)
+  bad=$(sed -n 's/^bad //p' "$log")
+  echo "clang-tidy: $(wc -l <"$log") of ${#files[@]} files were checked, $clean are clean"
   rm -f "$log"
-  if [ "$status" -eq 124 ]; then
-    echo "clang-tidy: time is up; $left of ${#files[@]} files were not checked"
-    return 0
+  if [ -n "$bad" ]; then
+    printf 'Not clean: %s\n' $bad
+    return 1
   fi
-  echo "clang-tidy: $((${#files[@]} - left)) of ${#files[@]} files are clean"
-  return "$status"
 }
 
 case "${1:-}" in

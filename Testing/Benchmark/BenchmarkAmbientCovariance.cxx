@@ -87,8 +87,8 @@ void RunCase(benchmark::State& state, Case c)
   }
   const bool isExhaustive = c.Pattern == vtkAmbientCovarianceFilter::Exhaustive;
   const double samples = isExhaustive ? 4169.0 : filter->GetNumberOfSamples();
-  state.counters["samples/s"] = benchmark::Counter(samples * inputs.Image->GetNumberOfPoints(),
-    benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["samples/s"] = benchmark::Counter(
+    samples * inputs.Image->GetNumberOfPoints(), benchmark::Counter::kIsIterationInvariantRate);
   hwy::SetSupportedTargetsForTest(0);
 }
 
@@ -99,8 +99,8 @@ void Register(const std::string& name, const Case& c)
 
 // Highway 1.0 has no target for SSE2: its portable one (EMU128), compiled for the baseline of x86-64,
 // is what runs on such a machine.
-const std::map<std::string, int64_t> InstructionSets = { { "SSE2", HWY_EMU128 },
-  { "SSE4", HWY_SSE4 }, { "AVX2", HWY_AVX2 }, { "AVX512", HWY_AVX3 } };
+const std::map<std::string, int64_t> InstructionSets = { { "SSE2", HWY_EMU128 }, { "SSE4", HWY_SSE4 },
+  { "AVX2", HWY_AVX2 }, { "AVX512", HWY_AVX3 } };
 }
 
 int main(int argc, char* argv[])
@@ -118,7 +118,8 @@ int main(int argc, char* argv[])
       Register("Shared/Nearest/uint8" + end, { Filter::Shared, 0, 256, VTK_UNSIGNED_CHAR, threads, targets });
       Register("Shared/Nearest/int16" + end, { Filter::Shared, 0, 256, VTK_SHORT, threads, targets });
       Register("Shared/Linear/uint8" + end, { Filter::Shared, 1, 256, VTK_UNSIGNED_CHAR, threads, targets });
-      Register("PerBlock/Nearest/uint8" + end, { Filter::PerBlock, 0, 256, VTK_UNSIGNED_CHAR, threads, targets });
+      Register(
+        "PerBlock/Nearest/uint8" + end, { Filter::PerBlock, 0, 256, VTK_UNSIGNED_CHAR, threads, targets });
     }
   }
   Register("Exhaustive/Nearest/uint8/64/1thread", { Filter::Exhaustive, 0, 64, VTK_UNSIGNED_CHAR, 1, 0 });

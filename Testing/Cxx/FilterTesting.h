@@ -181,8 +181,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
   {
     std::array<int, 6> extent;
-    outputs->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+    outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
     this->Requests.push_back(extent);
     vtkNew<vtkImageData> part;
     part->ShallowCopy(this->Image);

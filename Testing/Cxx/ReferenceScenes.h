@@ -67,7 +67,7 @@ inline reference::Camera ParallelCamera(int size)
   return camera;
 }
 
-inline reference::Scene MakeScene(std::shared_ptr<const reference::Field> field, int size)
+inline reference::Scene MakeScene(const std::shared_ptr<const reference::Field>& field, int size)
 {
   reference::Scene scene;
   scene.field = field;

@@ -43,8 +43,8 @@ void CheckPattern(vtkImageData* image, vtkImageData* normals, int pattern, int i
       ++count;
     }
   }
-  const std::string name = std::string(filter->GetSamplingPatternAsString()) + " " +
-    filter->GetSampleInterpolationAsString();
+  const std::string name =
+    std::string(filter->GetSamplingPatternAsString()) + " " + filter->GetSampleInterpolationAsString();
   report.Check(count > 200, "enough voxels: " + std::to_string(count));
   report.CheckAtMost(sum / count, largestMeanAngle, name + ": mean angle from the axis, degrees");
   report.CheckAtLeast(strength / count, 0.4, name + ": mean strength");

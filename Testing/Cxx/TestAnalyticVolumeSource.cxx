@@ -63,7 +63,8 @@ void TestGradients()
     }
     std::cout << "field " << type << ": largest difference from finite differences " << worst << "\n";
     // the noise bends a thousand times as sharply as the other fields
-    Check(worst < (type == analytic::NoisyHomogeneousField ? 5.0e-4 : 2.0e-5), "gradient agrees with finite differences");
+    Check(worst < (type == analytic::NoisyHomogeneousField ? 5.0e-4 : 2.0e-5),
+      "gradient agrees with finite differences");
   }
 }
 
@@ -121,8 +122,8 @@ void TestPieces()
     {
       for (int x = extent[0]; x <= extent[1]; ++x)
       {
-        same += piece->GetScalarComponentAsDouble(x, y, z, 0) ==
-          whole->GetScalarComponentAsDouble(x, y, z, 0);
+        same +=
+          piece->GetScalarComponentAsDouble(x, y, z, 0) == whole->GetScalarComponentAsDouble(x, y, z, 0);
       }
     }
   }
@@ -132,8 +133,8 @@ void TestPieces()
 
 void TestTypes()
 {
-  const int types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
-    VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE };
+  const int types[] = { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
+    VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE };
   for (int type : types)
   {
     vtkNew<vtkAnalyticVolumeSource> source;

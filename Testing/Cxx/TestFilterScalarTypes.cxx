@@ -32,8 +32,8 @@ void CheckEqual(vtkImageData* image, int component, const char* array, vtkImageD
   }
   sobel->Update();
   filter->Update();
-  report.CheckAtMost(testing::CountDifferent(normals, sobel->GetOutput(), "Normals"), 0,
-    name + ": different normals");
+  report.CheckAtMost(
+    testing::CountDifferent(normals, sobel->GetOutput(), "Normals"), 0, name + ": different normals");
   report.CheckAtMost(testing::CountDifferent(covariance, filter->GetOutput(), "AmbientCovariance"), 0,
     name + ": different covariances");
 }
@@ -52,9 +52,9 @@ int TestFilterScalarTypes(int, char*[])
   filter->SetInputData(reference);
   filter->SetRadius(4.0);
   filter->Update();
-  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
-         VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-         VTK_ID_TYPE, VTK_FLOAT })
+  for (const int type :
+    { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT,
+      VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT })
   {
     CheckEqual(testing::MakeImage(geometry, Scalar, type), 0, nullptr, sobel->GetOutput(),
       filter->GetOutput(), vtkImageScalarTypeNameMacro(type), report);
@@ -70,6 +70,7 @@ int TestFilterScalarTypes(int, char*[])
   }
   const auto image = testing::MakeImage(geometry, [](const glm::dvec3&) { return 0.0; });
   image->GetPointData()->AddArray(columns);
-  CheckEqual(image, 1, "Columns", sobel->GetOutput(), filter->GetOutput(), "second of a structure of arrays", report);
+  CheckEqual(
+    image, 1, "Columns", sobel->GetOutput(), filter->GetOutput(), "second of a structure of arrays", report);
   return report.ExitCode();
 }

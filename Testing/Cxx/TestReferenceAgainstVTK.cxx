@@ -200,8 +200,7 @@ void TestSceneFromVTK(Checks& check)
   stage.window->Render();
   const Scene scene = SceneFromVTK(stage.renderer, stage.volume, PictureSize, PictureSize);
   check.That(scene.reflectance == Reflectance::Ward && scene.glossiness == 0.3 &&
-      scene.anisotropyScale == 4.0 && scene.scatteringAnisotropy == 0.25 &&
-      !scene.specularFromExtinction,
+      scene.anisotropyScale == 4.0 && scene.scatteringAnisotropy == 0.25 && !scene.specularFromExtinction,
     "the scene takes the property's optics");
   check.That(scene.lights.size() == 1 && scene.lights[0].headlight, "the renderer's headlight");
   bool threw = false;

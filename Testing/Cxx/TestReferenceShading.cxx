@@ -52,7 +52,8 @@ void TestHighlightOfSphere(Checks& check)
       brightest = image.pixels[i].r > image.pixels[brightest].r ? i : brightest;
     }
     const double x = (brightest % size + 0.5) / size * 2.0 - 1.0;
-    const double y = (brightest / size + 0.5) / size * 2.0 - 1.0;
+    const int row = brightest / size;
+    const double y = (row + 0.5) / size * 2.0 - 1.0;
     check.That(image.pixels[brightest].r > 0.1, "the sphere has a highlight");
     check.That(std::hypot(x - 0.5 * half.x, y - 0.5 * half.y) < 0.04, "the highlight lies at N = H");
   }
@@ -78,8 +79,7 @@ void TestExtinctionGradient(Checks& check)
     const double opacity = scene.Opacity(sample.scalar);
     const double magnitude = glm::length(scene.field->Gradient(sample.position));
     const double expected = scene.unitDistance * std::abs(slope) / (1.0 - opacity) * magnitude;
-    for (GradientEstimate estimate :
-      { GradientEstimate::StoredNormal, GradientEstimate::CentralDifferences })
+    for (GradientEstimate estimate : { GradientEstimate::StoredNormal, GradientEstimate::CentralDifferences })
     {
       scene.gradientEstimate = estimate;
       const ExtinctionGradient gradient = ExtinctionGradientAt(scene, sample);
@@ -216,7 +216,8 @@ double Elongation(const Image& image)
   for (int i = 0; i < image.width * image.height; ++i)
   {
     const double x = i % image.width + 0.5 - image.width / 2.0;
-    const double y = i / image.width + 0.5 - image.height / 2.0;
+    const int row = i / image.width;
+    const double y = row + 0.5 - image.height / 2.0;
     alongX += image.pixels[i].r * x * x;
     alongY += image.pixels[i].r * y * y;
   }

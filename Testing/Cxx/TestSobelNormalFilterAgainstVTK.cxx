@@ -17,8 +17,7 @@ double Scalar(const glm::dvec3& p)
 
 glm::dvec3 Gradient(const glm::dvec3& p)
 {
-  return { std::cos(p.x) * std::cos(2.0 * p.y), -2.0 * std::sin(p.x) * std::sin(2.0 * p.y),
-    0.2 * p.z + 1.0 };
+  return { std::cos(p.x) * std::cos(2.0 * p.y), -2.0 * std::sin(p.x) * std::sin(2.0 * p.y), 0.2 * p.z + 1.0 };
 }
 }
 

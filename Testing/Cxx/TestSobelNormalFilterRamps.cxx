@@ -26,10 +26,8 @@ void CheckRamp(const testing::Geometry& geometry, double factor, testing::Report
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     const double length = glm::length(gradient);
-    worstNormal =
-      std::max(worstNormal, glm::length(testing::VectorAt(normals, i) + gradient / length));
-    worstMagnitude =
-      std::max(worstMagnitude, std::abs(magnitudes->GetComponent(i, 0) / length - 1.0));
+    worstNormal = std::max(worstNormal, glm::length(testing::VectorAt(normals, i) + gradient / length));
+    worstMagnitude = std::max(worstMagnitude, std::abs(magnitudes->GetComponent(i, 0) / length - 1.0));
   }
   report.Check(output->GetNumberOfPoints() > 100, "the output has voxels");
   report.CheckAtMost(worstNormal, 1.0e-6, "largest error of a normal");

@@ -52,7 +52,8 @@ vtkSmartPointer<vtkImageData> MakeImage(
     {
       for (int c = 0; c < components; ++c)
       {
-        image->SetScalarComponentFromDouble(x, y, 0, c, std::round(luminance(x, y) * 65280.0) / 65280.0 * white);
+        image->SetScalarComponentFromDouble(
+          x, y, 0, c, std::round(luminance(x, y) * 65280.0) / 65280.0 * white);
       }
     }
   }
@@ -97,7 +98,8 @@ double Streaks(int x, int y, int count)
   double sum = 0.0;
   for (int n = 0; n < count; ++n)
   {
-    const double place = (n + 1) / 2 * (n % 2 ? 12.5 : -12.5);
+    const int fromMiddle = (n + 1) / 2;
+    const double place = fromMiddle * (n % 2 ? 12.5 : -12.5);
     const double middle = 63.5 + place + 6.0 * std::sin(y / 18.0 + n);
     const double across = (x - middle) / 2.0;
     const double along = (y - 63.5) / 45.0;
@@ -226,8 +228,7 @@ void TestSizesAndTypes()
   const double expected = Score(gray, MakeImage(ShadedBall));
   for (int components : { 2, 3, 4 })
   {
-    const double score =
-      Score(gray, MakeImage(ShadedBall, Size, Size, VTK_UNSIGNED_CHAR, components));
+    const double score = Score(gray, MakeImage(ShadedBall, Size, Size, VTK_UNSIGNED_CHAR, components));
     Check(std::abs(score - expected) < 5.0e-3, "components and types agree to their quantisation");
   }
   auto broken = MakeImage(Texture);

@@ -312,7 +312,11 @@ private:
     for (int i = 0; i < 600; ++i)
     {
       const glm::dvec3 normal = this->NormalFor(i);
-      const double strength = i % 5 == 0 ? 1.0 : i % 5 == 1 ? std::pow(10.0, this->Random.Uniform(-30.0, 0.0)) : this->Random.Uniform();
+      double strength = i % 5 == 0 ? 1.0 : this->Random.Uniform();
+      if (i % 5 == 1)
+      {
+        strength = std::pow(10.0, this->Random.Uniform(-30.0, 0.0));
+      }
       const double angle = i % 7 == 0 ? (i % 4) * TwoPi / 4.0 : this->Random.Uniform(0.0, TwoPi);
       glm::dvec3 p(strength * std::cos(angle), strength * std::sin(angle), 0.0);
       if (i % 50 == 49)

@@ -15,9 +15,9 @@ namespace reference
 {
 struct Frame
 {
-  Vector normal = Vector(0.0);              // -grad(s)/|grad(s)|, unit, or 0
-  double magnitude = 0.0;                   // |grad(s)| per length of dataset space
-  glm::dvec2 anisotropy = glm::dvec2(0.0);  // (a1, a2) in the normal's basis, see AnisotropyFrame.glsl
+  Vector normal = Vector(0.0);             // -grad(s)/|grad(s)|, unit, or 0
+  double magnitude = 0.0;                  // |grad(s)| per length of dataset space
+  glm::dvec2 anisotropy = glm::dvec2(0.0); // (a1, a2) in the normal's basis, see AnisotropyFrame.glsl
 };
 
 class FrameField

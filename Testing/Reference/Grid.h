@@ -24,7 +24,7 @@ struct Grid
 {
   Vector corner = Vector(-1.0); // the first point
   std::array<Vector, 3> directions = { Vector(1.0, 0.0, 0.0), Vector(0.0, 1.0, 0.0),
-    Vector(0.0, 0.0, 1.0) };                     // unit
+    Vector(0.0, 0.0, 1.0) };                         // unit
   std::array<double, 3> spacing = { 1.0, 1.0, 1.0 }; // 1 along an axis of one point
   std::array<int, 3> points = { 1, 1, 1 };
 

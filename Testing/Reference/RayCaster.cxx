@@ -36,8 +36,7 @@ void RequireComplete(const Scene& scene)
   {
     throw std::invalid_argument("A scene needs a field, an opacity and a colour function.");
   }
-  const bool reflects =
-    scene.reflectance != Reflectance::VTK && scene.reflectance != Reflectance::None;
+  const bool reflects = scene.reflectance != Reflectance::VTK && scene.reflectance != Reflectance::None;
   if (scene.shade && reflects && !scene.frames)
   {
     throw std::invalid_argument("Blinn-Phong, Ward and Lafortune need frames: set Scene::frames.");

@@ -23,10 +23,7 @@ struct Image
   int height = 0;
   std::vector<glm::dvec4> pixels;
 
-  const glm::dvec4& At(int x, int y) const
-  {
-    return this->pixels[static_cast<size_t>(y) * this->width + x];
-  }
+  const glm::dvec4& At(int x, int y) const { return this->pixels[static_cast<size_t>(y) * this->width + x]; }
 };
 
 struct Ray

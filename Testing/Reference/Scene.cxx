@@ -44,8 +44,7 @@ Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToDataset, int wid
 {
   vtkCamera* source = renderer->GetActiveCamera();
   const double aspect = static_cast<double>(width) / height;
-  const glm::dmat4 worldToDevice =
-    FromVTK(source->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
+  const glm::dmat4 worldToDevice = FromVTK(source->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0));
   Camera camera;
   camera.deviceToDataset = worldToDataset * glm::inverse(worldToDevice);
   camera.eye = TransformPoint(worldToDataset, source->GetPosition());
@@ -57,8 +56,7 @@ Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToDataset, int wid
 Light LightOf(vtkLight* source, const glm::dmat4& worldToDataset)
 {
   const double intensity = source->GetIntensity();
-  auto scaled = [intensity](
-                  const double* color) { return intensity * Vector(color[0], color[1], color[2]); };
+  auto scaled = [intensity](const double* color) { return intensity * Vector(color[0], color[1], color[2]); };
   Light light;
   light.positional = source->GetPositional() != 0;
   light.headlight = source->LightTypeIsHeadlight() != 0;

@@ -86,8 +86,8 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-6);
     ambient += light.ambient;
-    diffuse += illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) *
-      light.diffuse;
+    diffuse +=
+      illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) * light.diffuse;
     const double facing = Facing(cosHalf, scene.twoSided);
     if (facing > 0.0)
     {
@@ -95,6 +95,17 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
     }
   }
   return scene.ambient * ambient + scene.diffuse * diffuse * color + scene.specular * specular;
+}
+
+// The frame is that of the unclassified scalar; central differences give the extinction's normal
+// another direction, so its tangents are made orthogonal to that again.
+optics::AnisotropyFrame FrameAround(const Vector& normal, const Frame& stored)
+{
+  optics::AnisotropyFrame frame = optics::EigenFrame(stored.normal, stored.anisotropy);
+  const Vector major = frame.major - normal * glm::dot(normal, frame.major);
+  frame.major = major / std::max(glm::length(major), 1.0e-10);
+  frame.minor = glm::cross(normal, frame.major);
+  return frame;
 }
 
 // f_s max(N.L, 0) of the chosen model.
@@ -109,12 +120,10 @@ double Reflected(const Scene& scene, const ExtinctionGradient& extinction, Vecto
   {
     return optics::BlinnPhongReflection(normal, toLight, toViewer, scene.glossiness);
   }
-  const optics::AnisotropyFrame frame =
-    optics::EigenFrame(extinction.frame.normal, extinction.frame.anisotropy);
+  const optics::AnisotropyFrame frame = FrameAround(normal, extinction.frame);
   if (scene.reflectance == Reflectance::Ward)
   {
-    const double major =
-      optics::WardMajorRoughness(scene.glossiness, frame.logRatio, scene.anisotropyScale);
+    const double major = optics::WardMajorRoughness(scene.glossiness, frame.logRatio, scene.anisotropyScale);
     return optics::WardReflection(
       normal, frame.major, frame.minor, toLight, toViewer, major, scene.glossiness);
   }
@@ -193,8 +202,8 @@ Vector Radiance(const Scene& scene, const Sample& sample)
   {
     const Illumination illumination = IlluminationAt(scene, light, sample.position);
     const double cosTheta = -glm::dot(illumination.toLight, sample.toViewer);
-    diffuse += illumination.factor *
-      optics::HenyeyGreenstein(scene.scatteringAnisotropy, cosTheta) * light.diffuse;
+    diffuse +=
+      illumination.factor * optics::HenyeyGreenstein(scene.scatteringAnisotropy, cosTheta) * light.diffuse;
     // without a normal nothing is reflected
     if (extinction.coefficient > 0.0 && extinction.normal != Vector(0.0))
     {

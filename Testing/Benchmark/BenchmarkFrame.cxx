@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Time of a frame with each reflectance model, over that of VTK's own mapper with shading. Frames of
+// all kinds alternate, so that a noisy machine slows all of them; medians and their ratios are
+// printed. Early ray termination is VTK's.
+//
+//   BenchmarkFrame [volume.vti [low high]] [--size pixels] [--frames number] [--step world length]
+//
+// Without a file: Marschner-Lobb, 128^3. low, high: where opacity begins and where it is 0.9.
+
+#include "vtkAnalyticVolumeSource.h"
+#include "vtkHeadlessRenderWindow.h"
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+#include "vtkXMLImageDataReader.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+struct Options
+{
+  std::string File;
+  double Low = 0.45;
+  double High = 0.55;
+  int Size = 512;
+  int Frames = 9;
+  double Step = 0.0; // half the smallest spacing
+};
+
+Options Read(int argc, char** argv)
+{
+  Options options;
+  std::vector<std::string> plain;
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    const std::string next = i + 1 < argc ? argv[i + 1] : "";
+    if (word == "--size")
+    {
+      options.Size = std::stoi(next);
+    }
+    else if (word == "--frames")
+    {
+      options.Frames = std::stoi(next);
+    }
+    else if (word == "--step")
+    {
+      options.Step = std::stod(next);
+    }
+    else
+    {
+      plain.push_back(word);
+      continue;
+    }
+    ++i;
+  }
+  if (!plain.empty())
+  {
+    options.File = plain[0];
+  }
+  if (plain.size() == 3)
+  {
+    options.Low = std::stod(plain[1]);
+    options.High = std::stod(plain[2]);
+  }
+  return options;
+}
+
+vtkSmartPointer<vtkImageData> Load(const Options& options)
+{
+  if (options.File.empty())
+  {
+    vtkNew<vtkAnalyticVolumeSource> source;
+    source->SetDimensions(128, 128, 128);
+    source->Update();
+    return source->GetOutput();
+  }
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(options.File.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+// One window, mapper and volume of one kind.
+class Contestant
+{
+public:
+  Contestant(std::string name, vtkGPUVolumeRayCastMapper* mapper, int model)
+    : Name(std::move(name))
+    , Mapper(mapper)
+  {
+    this->Property->SetReflectanceModel(model);
+  }
+
+  void SetUp(vtkImageData* image, const Options& options)
+  {
+    const double* spacing = image->GetSpacing();
+    const double step = std::min({ spacing[0], spacing[1], spacing[2] }) / 2.0;
+    this->Mapper->SetInputData(image);
+    this->Mapper->SetAutoAdjustSampleDistances(0);
+    this->Mapper->SetUseJittering(0);
+    this->Mapper->SetSampleDistance(static_cast<float>(options.Step > 0.0 ? options.Step : step));
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(options.Low, 0.0);
+    opacity->AddPoint(options.High, 0.9);
+    vtkNew<vtkColorTransferFunction> color;
+    color->AddRGBPoint(options.Low, 0.8, 0.7, 0.6);
+    this->Property->SetScalarOpacity(opacity);
+    this->Property->SetColor(color);
+    this->Property->SetScalarOpacityUnitDistance(2.0 * step);
+    this->Property->SetInterpolationTypeToLinear();
+    this->Property->ShadeOn();
+    vtkNew<vtkVolume> volume;
+    volume->SetMapper(this->Mapper);
+    volume->SetProperty(this->Property);
+    vtkNew<vtkRenderer> renderer;
+    renderer->AddVolume(volume);
+    this->Window->SetSize(options.Size, options.Size);
+    this->Window->AddRenderer(renderer);
+    renderer->GetActiveCamera()->SetPosition(0.4, 1.0, 0.3);
+    renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+    renderer->ResetCamera();
+    renderer->GetActiveCamera()->Zoom(1.5);
+    this->Window->Render(); // uploads, links, estimates frames
+  }
+
+  void Draw()
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    this->Window->Render();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    this->Seconds.push_back(elapsed.count());
+  }
+
+  double GetMedian() const
+  {
+    std::vector<double> sorted = this->Seconds;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+  }
+
+  std::string Name;
+
+private:
+  vtkSmartPointer<vtkGPUVolumeRayCastMapper> Mapper;
+  vtkNew<vtkOpticsVolumeProperty> Property;
+  vtkNew<vtkHeadlessRenderWindow> Window;
+  std::vector<double> Seconds;
+};
+
+std::vector<std::unique_ptr<Contestant>> MakeContestants()
+{
+  using Property = vtkOpticsVolumeProperty;
+  std::vector<std::unique_ptr<Contestant>> all;
+  all.push_back(std::make_unique<Contestant>(
+    "stock VTK, ShadeOn", vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New(), Property::VTK));
+  const std::pair<const char*, int> models[] = { { "every term off", Property::VTK },
+    { "None", Property::None }, { "Blinn-Phong", Property::BlinnPhong }, { "Ward", Property::Ward },
+    { "Lafortune", Property::Lafortune } };
+  for (const auto& [name, model] : models)
+  {
+    all.push_back(std::make_unique<Contestant>(name, vtkSmartPointer<vtkOpticsVolumeMapper>::New(), model));
+  }
+  return all;
+}
+}
+
+int main(int argc, char** argv)
+{
+  const Options options = Read(argc, argv);
+  vtkSmartPointer<vtkImageData> image = Load(options);
+  auto contestants = MakeContestants();
+  for (auto& contestant : contestants)
+  {
+    contestant->SetUp(image, options);
+  }
+  for (int frame = 0; frame < options.Frames; ++frame)
+  {
+    for (auto& contestant : contestants)
+    {
+      contestant->Draw();
+    }
+  }
+  const double stock = contestants.front()->GetMedian();
+  std::cout << "model,median ms,of stock\n";
+  for (auto& contestant : contestants)
+  {
+    std::cout << contestant->Name << "," << 1000.0 * contestant->GetMedian() << ","
+              << contestant->GetMedian() / stock << "\n";
+  }
+  return EXIT_SUCCESS;
+}
