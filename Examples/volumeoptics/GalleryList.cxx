@@ -47,6 +47,14 @@ PictureSettings Base(const TransferFunction& function, double azimuth, double el
 
 // ---- scenes shared by the pictures and the scores
 
+// Balls too large for all their voxels: many points, the same for all voxels, are as smooth.
+void SampleLargeBall(AmbientSettings& ambient, double radius)
+{
+  ambient.Radius = radius;
+  ambient.Pattern = "shared";
+  ambient.Samples = 1000;
+}
+
 PictureSettings Cranium()
 {
   PictureSettings settings = Base(Preset("cranium"), -40.0, 6.0, 1.55);
@@ -58,7 +66,7 @@ PictureSettings Cranium()
 
 PictureSettings MarschnerLobb()
 {
-  PictureSettings settings = Base(Surface(0.5, 0.02, { 0.75, 0.66, 0.5 }), 25.0, 35.0, 1.35);
+  PictureSettings settings = Base(Surface(0.5, 0.02, { 0.75, 0.66, 0.5 }), 25.0, 50.0, 1.1);
   settings.Ambient.Radius = 10.0;
   return settings;
 }
@@ -66,7 +74,7 @@ PictureSettings MarschnerLobb()
 PictureSettings Primitive()
 {
   PictureSettings settings = Base(Surface(0.5, 0.04, { 0.35, 0.5, 0.72 }), 0.0, 0.0, 1.6);
-  settings.Ambient.Radius = 16.0;
+  SampleLargeBall(settings.Ambient, 16.0);
   settings.Ambient.Tolerance = 0.05;
   return settings;
 }
@@ -167,22 +175,22 @@ GallerySection PackedSection()
   GallerySection section{ "Packed ellipsoids: the scale of the anisotropy",
     "After Fig. 5: principal curvatures and a small radius follow each ellipsoid, a large radius follows "
     "the arrangement. Near, and from far away, where local estimates alias.",
-    3, {} };
-  for (const bool far : { false, true })
+    2, {} };
+  for (const std::string estimate : { "curvature", "small", "large" })
   {
     PictureSettings settings = PackedEllipsoids();
-    settings.Camera.Zoom *= far ? 0.3 : 1.0;
-    const std::string distance = far ? "far" : "near";
     OpticsSettings ward = Model("ward", 0.2, 10.0);
-    ward.FrameSource = "curvature";
-    section.Pictures.push_back(
-      Picture("packed-curvature-" + distance, "Principal curvatures, " + distance, "packed", settings, ward));
-    ward.FrameSource = "covariance";
-    section.Pictures.push_back(
-      Picture("packed-small-" + distance, "Small radius, " + distance, "packed", settings, ward));
-    settings.Ambient.Radius = 30.0;
-    section.Pictures.push_back(
-      Picture("packed-large-" + distance, "Large radius, " + distance, "packed", settings, ward));
+    ward.FrameSource = estimate == "curvature" ? "curvature" : "covariance";
+    if (estimate == "large")
+    {
+      SampleLargeBall(settings.Ambient, 30.0);
+    }
+    const std::string title = estimate == "curvature" ? "Principal curvatures"
+      : estimate == "small"                           ? "Small radius"
+                                                      : "Large radius";
+    section.Pictures.push_back(Picture("packed-" + estimate + "-near", title + ", near", "packed", settings, ward));
+    settings.Camera.Zoom *= 0.3;
+    section.Pictures.push_back(Picture("packed-" + estimate + "-far", title + ", far", "packed", settings, ward));
   }
   return section;
 }
@@ -201,7 +209,7 @@ GallerySection StudySection()
     "After Fig. 6, on an ellipsoid that fills the volume: what a radius too small, an interval too large and "
     "too few samples do, with strong (60) and moderate (10) scaling.",
     4, {} };
-  const AmbientSettings reference = { 24.0, 100, 0.02, 1.0, 0.0, "exhaustive", 16 };
+  const AmbientSettings reference = { 24.0, 1000, 0.02, 1.0, 0.0, "shared", 16 };
   AmbientSettings smallRadius = reference, largeInterval = reference, fewSamples = reference;
   smallRadius.Radius = 1.0;
   largeInterval.Tolerance = 0.5;

@@ -5,6 +5,7 @@
 
 #include "Commands.h"
 #include "TradeCovariance.h"
+#include "TradeShading.h"
 
 #include <memory>
 
@@ -29,6 +30,26 @@ void AddCovariance(CLI::App& trade)
     ->capture_default_str();
   command->callback([options] { TradeCovariance(*options); });
 }
+
+void AddShading(CLI::App& trade)
+{
+  const auto options = std::make_shared<ShadingTradeOptions>();
+  CLI::App* command = trade.add_subcommand("shading",
+    "Frames: RMSE and maximum against the double-precision ray caster, by step length, bits, grid factor and "
+    "extinction gradient (CSV and SVG)");
+  command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
+  command->add_option("--field", options->Field, "Synthetic field")
+    ->check(CLI::IsMember({ "marschner-lobb", "ellipsoid", "cylinder", "packed", "tubes" }))
+    ->capture_default_str();
+  command->add_option("--model", options->Model, "Reflectance model")
+    ->check(CLI::IsMember({ "none", "blinn-phong", "ward", "lafortune" }))
+    ->capture_default_str();
+  command->add_option("--size", options->Size, "Width and height of the picture")
+    ->check(CLI::Range(16, 2048))
+    ->capture_default_str();
+  command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->callback([options] { TradeShading(*options); });
+}
 }
 
 void AddTradeCommand(CLI::App& program)
@@ -36,4 +57,5 @@ void AddTradeCommand(CLI::App& program)
   CLI::App* trade = program.add_subcommand("trade", "Measure time against error of the quality parameters");
   trade->require_subcommand(1);
   AddCovariance(*trade);
+  AddShading(*trade);
 }

@@ -24,6 +24,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -258,6 +259,10 @@ vtkSmartPointer<vtkImageData> VolumeScene::Capture()
 
 void VolumeScene::WritePng(const std::string& path)
 {
+  if (!std::ofstream(path, std::ios::app))
+  {
+    throw UserError("'" + path + "' cannot be written. Check that its folder exists and is writable.");
+  }
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(this->Capture());
