@@ -202,8 +202,8 @@ double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Reques
 bool FrameProvider::IsStored(const Request& request) const
 {
   const bool isCurrent = this->Stored.Normals && this->StoredTime == this->GetTime();
-  const bool isEnough = !request.Anisotropy ||
-    (this->Stored.Anisotropy && this->StoredRequest.Curvature == request.Curvature);
+  const bool isEnough =
+    !request.Anisotropy || (this->Stored.Anisotropy && this->StoredRequest.Curvature == request.Curvature);
   const bool isFine = this->StoredRequest.ResolutionFactor == request.ResolutionFactor &&
     this->StoredRequest.Bits == request.Bits && (request.Coarse || !this->StoredRequest.Coarse);
   return isCurrent && isEnough && isFine;

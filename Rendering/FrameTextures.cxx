@@ -28,7 +28,8 @@ struct Codec
   static constexpr double SignedScale = (Largest - 1.0) / 2.0;
   static Code Signed(double value)
   {
-    return static_cast<Code>(std::lround(std::clamp(value, -1.0, 1.0) * SignedScale) + std::lround(SignedScale));
+    return static_cast<Code>(
+      std::lround(std::clamp(value, -1.0, 1.0) * SignedScale) + std::lround(SignedScale));
   }
   static Code Unsigned(double value)
   {
@@ -76,8 +77,7 @@ void ComputeDataToTexture(vtkImageData* grid, double matrix[16])
     indexToTexture->SetElement(axis, axis, 1.0 / size[axis]);
     indexToTexture->SetElement(axis, 3, (0.5 - extent[2 * axis]) / size[axis]);
   }
-  vtkMatrix4x4::Multiply4x4(
-    indexToTexture->GetData(), grid->GetPhysicalToIndexMatrix()->GetData(), matrix);
+  vtkMatrix4x4::Multiply4x4(indexToTexture->GetData(), grid->GetPhysicalToIndexMatrix()->GetData(), matrix);
 }
 }
 
@@ -117,9 +117,10 @@ void FrameTextures::UploadAll(const FrameGrid& grid, vtkOpenGLRenderWindow* wind
 
   const float* normals = grid.Normals->GetPointer(0);
   const float* magnitude = grid.Magnitude->GetPointer(0);
-  this->Normals = this->Upload({ { normals, 3, true, 1.0 }, { normals + 1, 3, true, 1.0 },
-                                 { normals + 2, 3, true, 1.0 }, { magnitude, 1, false, 1.0 / this->LargestMagnitude } },
-    grid, window);
+  this->Normals =
+    this->Upload({ { normals, 3, true, 1.0 }, { normals + 1, 3, true, 1.0 }, { normals + 2, 3, true, 1.0 },
+                   { magnitude, 1, false, 1.0 / this->LargestMagnitude } },
+      grid, window);
 
   this->Anisotropy = nullptr;
   this->AnisotropyMixed = nullptr;

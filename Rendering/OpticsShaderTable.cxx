@@ -157,8 +157,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
   const std::string lighting =
     NumberOfLightsText(features.NumberOfLights) + TextFor(ComputeLightingDec, features);
   return Insert(fragment, BaseDec, TextFor(BaseDec, features)) &&
-    Insert(fragment, BaseInit, TextFor(BaseInit, features)) &&
-    Insert(fragment, ComputeLightingDec, lighting);
+    Insert(fragment, BaseInit, TextFor(BaseInit, features)) && Insert(fragment, ComputeLightingDec, lighting);
 }
 
 //------------------------------------------------------------------------------

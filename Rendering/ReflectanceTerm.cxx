@@ -120,8 +120,8 @@ void SetMatrix(vtkShaderProgram* program, const char* name, vtkMatrix3x3* matrix
 void SetSpaces(const OpticsScene& scene, vtkShaderProgram* program)
 {
   vtkNew<vtkMatrix4x4> dataToEye;
-  vtkMatrix4x4::Multiply4x4(scene.Renderer->GetActiveCamera()->GetModelViewTransformMatrix(),
-    scene.Volume->GetMatrix(), dataToEye);
+  vtkMatrix4x4::Multiply4x4(
+    scene.Renderer->GetActiveCamera()->GetModelViewTransformMatrix(), scene.Volume->GetMatrix(), dataToEye);
   vtkNew<vtkMatrix3x3> tangents;
   for (int i = 0; i < 9; ++i)
   {
@@ -178,7 +178,8 @@ bool ReflectanceTerm::IsActive(const OpticsScene& scene)
   if (!reason.empty())
   {
     scene.Mapper->Say(std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString() +
-      " does not support " + reason + ": the picture is VTK's own. SetReflectanceModelToVTK() silences this.");
+      " does not support " + reason +
+      ": the picture is VTK's own. SetReflectanceModelToVTK() silences this.");
   }
   return reason.empty();
 }
@@ -222,10 +223,11 @@ void ReflectanceTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
   features.Add(OpticsFeature::Reflectance);
   features.Add(ModelFeature(scene.Optics->GetReflectanceModel()));
   features.NumberOfLights = CountLights(scene.Renderer);
-  features.Add(HasPositionalLight(scene.Renderer) ? OpticsFeature::LightsPositional
-                                                  : OpticsFeature::LightsDirectional);
+  features.Add(
+    HasPositionalLight(scene.Renderer) ? OpticsFeature::LightsPositional : OpticsFeature::LightsDirectional);
   const bool hasVTKGradientOpacity = HasGradientOpacity(scene) && !Is2D(scene);
-  features.Add(hasVTKGradientOpacity ? OpticsFeature::GradientOpacityScalar : OpticsFeature::GradientOpacityNone);
+  features.Add(
+    hasVTKGradientOpacity ? OpticsFeature::GradientOpacityScalar : OpticsFeature::GradientOpacityNone);
   if (HasSurface(scene))
   {
     features.Add(OpticsFeature::Surface);
@@ -255,10 +257,10 @@ void ReflectanceTerm::AddGradientFeatures(const OpticsScene& scene, OpticsFeatur
   {
     features.Add(OpticsFeature::GradientStored);
   }
-  features.Add(Is2D(scene)         ? OpticsFeature::OpacityAt2D
-      : HasLabels(scene)           ? OpticsFeature::OpacityAtLabel
-      : HasGradientOpacity(scene)  ? OpticsFeature::OpacityAtScalarAndGradient
-                                   : OpticsFeature::OpacityAtScalar);
+  features.Add(Is2D(scene)        ? OpticsFeature::OpacityAt2D
+      : HasLabels(scene)          ? OpticsFeature::OpacityAtLabel
+      : HasGradientOpacity(scene) ? OpticsFeature::OpacityAtScalarAndGradient
+                                  : OpticsFeature::OpacityAtScalar);
 }
 
 //------------------------------------------------------------------------------

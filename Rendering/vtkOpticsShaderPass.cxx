@@ -39,8 +39,8 @@ void vtkOpticsShaderPass::Attach(const OpticsScene& scene, const std::vector<Opt
   const int passes = keys->Length(vtkOpenGLRenderPass::RenderPasses());
   if (passes > 0)
   {
-    auto* last = static_cast<vtkOpenGLRenderPass*>(
-      keys->Get(vtkOpenGLRenderPass::RenderPasses(), passes - 1));
+    auto* last =
+      static_cast<vtkOpenGLRenderPass*>(keys->Get(vtkOpenGLRenderPass::RenderPasses(), passes - 1));
     buffers = last->GetActiveDrawBuffers();
   }
   this->SetActiveDrawBuffers(buffers);

@@ -122,7 +122,8 @@ struct Sums
 
   void Add(double angle, double strength, double strengthError, double cosinePole)
   {
-    const int bin = std::min(static_cast<int>(cosinePole * FrameError::NumberOfBins), FrameError::NumberOfBins - 1);
+    const int bin =
+      std::min(static_cast<int>(cosinePole * FrameError::NumberOfBins), FrameError::NumberOfBins - 1);
     this->Weight += strength;
     this->Angle += strength * angle;
     this->Points += 1.0;
@@ -151,8 +152,8 @@ void CompareAt(const glm::dvec3& point, const Frames& estimate, const Frames& tr
 {
   glm::dvec3 trueNormal, normal;
   glm::dvec2 trueAnisotropy, anisotropy;
-  if (truth.At(point, trueNormal, trueAnisotropy) < LeastNormal || glm::length(trueAnisotropy) < LeastStrength ||
-    estimate.At(point, normal, anisotropy) < 1.0e-6)
+  if (truth.At(point, trueNormal, trueAnisotropy) < LeastNormal ||
+    glm::length(trueAnisotropy) < LeastStrength || estimate.At(point, normal, anisotropy) < 1.0e-6)
   {
     return;
   }

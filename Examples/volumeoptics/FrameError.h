@@ -24,9 +24,9 @@ struct FrameError
 {
   static constexpr int NumberOfBins = 10;
 
-  double MeanAngle = 0.0;     // degrees between the major axes, weighted by the truth's strength
-  double BadFraction = 0.0;   // of the points, more than 10 degrees off
-  double StrengthRms = 0.0;   // of |a| = (l2 - l1)/(l2 + l1)
+  double MeanAngle = 0.0;   // degrees between the major axes, weighted by the truth's strength
+  double BadFraction = 0.0; // of the points, more than 10 degrees off
+  double StrengthRms = 0.0; // of |a| = (l2 - l1)/(l2 + l1)
   std::array<double, NumberOfBins> AngleByPole{}; // mean angle by |n.z|, bin i from i/10
 };
 

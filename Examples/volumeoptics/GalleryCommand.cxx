@@ -76,7 +76,8 @@ void MakeGallery(const GalleryOptions& options)
 {
   if (!options.WithoutCranium && !std::filesystem::exists(options.Cranium))
   {
-    throw UserError("The CT '" + options.Cranium + "' is not there. Install the package "
+    throw UserError("The CT '" + options.Cranium +
+      "' is not there. Install the package "
       "invesalius-examples, or give --cranium FILE or --without-cranium.");
   }
   GalleryStudio studio(options.Folder, options.Cranium, options.Headless, options.Force);
@@ -98,8 +99,8 @@ void MakeGallery(const GalleryOptions& options)
 void AddGalleryCommand(CLI::App& program)
 {
   const auto options = std::make_shared<GalleryOptions>();
-  CLI::App* command = program.add_subcommand("gallery",
-    "Draw the gallery: a CT cranium and test fields by all models, with times and scores");
+  CLI::App* command = program.add_subcommand(
+    "gallery", "Draw the gallery: a CT cranium and test fields by all models, with times and scores");
   command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
   command->add_option("--cranium", options->Cranium, "CT of the cranium (.inv3)")->capture_default_str();
   command->add_flag("--without-cranium", options->WithoutCranium, "Synthetic fields only");

@@ -125,12 +125,14 @@ GallerySection CraniumSection()
 GallerySection SkinSection()
 {
   GallerySection section{ "Bone behind translucent skin",
-    "After Fig. 9: where tissue hides the bone partly, drawn-out highlights keep its shape readable.", 2, {} };
+    "After Fig. 9: where tissue hides the bone partly, drawn-out highlights keep its shape readable.", 2,
+    {} };
   PictureSettings settings = Cranium();
   settings.Camera = { 55.0, 4.0, 0.0, 2.2, {}, {}, {} };
   settings.Function.Opacity = { { -1024.0, 0.0 }, { -400.0, 0.0 }, { -250.0, 0.08 }, { -100.0, 0.12 },
     { 40.0, 0.04 }, { 150.0, 0.02 }, { 220.0, 0.3 }, { 400.0, 0.9 }, { 3100.0, 1.0 } };
-  section.Pictures = { Picture("skin-blinn-phong", "Blinn-Phong", "cranium", settings, Model("blinn-phong", 10.0)),
+  section.Pictures = { Picture(
+                         "skin-blinn-phong", "Blinn-Phong", "cranium", settings, Model("blinn-phong", 10.0)),
     Picture("skin-ward", "Ward", "cranium", settings, Model("ward", 0.2, 40.0)) };
   return section;
 }
@@ -164,8 +166,8 @@ GallerySection PrimitiveSection()
   }
   for (const std::string field : { "sphere", "ellipsoid", "cylinder" })
   {
-    section.Pictures.push_back(
-      Picture(field + "-lafortune", field + ", Lafortune", field, Primitive(), Model("lafortune", 30.0, 10.0)));
+    section.Pictures.push_back(Picture(
+      field + "-lafortune", field + ", Lafortune", field, Primitive(), Model("lafortune", 30.0, 10.0)));
   }
   return section;
 }
@@ -188,9 +190,11 @@ GallerySection PackedSection()
     const std::string title = estimate == "curvature" ? "Principal curvatures"
       : estimate == "small"                           ? "Small radius"
                                                       : "Large radius";
-    section.Pictures.push_back(Picture("packed-" + estimate + "-near", title + ", near", "packed", settings, ward));
+    section.Pictures.push_back(
+      Picture("packed-" + estimate + "-near", title + ", near", "packed", settings, ward));
     settings.Camera.Zoom *= 0.3;
-    section.Pictures.push_back(Picture("packed-" + estimate + "-far", title + ", far", "packed", settings, ward));
+    section.Pictures.push_back(
+      Picture("packed-" + estimate + "-far", title + ", far", "packed", settings, ward));
   }
   return section;
 }
@@ -231,10 +235,10 @@ GallerySection StudySection()
     settings.Size = { PictureSize * 3 / 4, PictureSize * 3 / 4 };
     settings.Ambient = study.Ambient;
     const std::string name = std::string("study-") + study.Name;
-    section.Pictures.push_back(Picture(name + "-ward", std::string("Ward. ") + study.Title, "ellipsoid", settings,
-      Model("ward", 0.2, study.Gamma)));
-    section.Pictures.push_back(Picture(name + "-lafortune", std::string("Lafortune. ") + study.Title, "ellipsoid",
-      settings, Model("lafortune", 30.0, study.Gamma)));
+    section.Pictures.push_back(Picture(name + "-ward", std::string("Ward. ") + study.Title, "ellipsoid",
+      settings, Model("ward", 0.2, study.Gamma)));
+    section.Pictures.push_back(Picture(name + "-lafortune", std::string("Lafortune. ") + study.Title,
+      "ellipsoid", settings, Model("lafortune", 30.0, study.Gamma)));
   }
   return section;
 }
@@ -257,8 +261,8 @@ std::vector<GallerySection> GalleryList(bool withCranium)
   {
     sections = { CraniumSection(), SkinSection() };
   }
-  for (const auto& section : { MarschnerLobbSection(), PrimitiveSection(), PackedSection(),
-         StudySection(), TubesSection() })
+  for (const auto& section :
+    { MarschnerLobbSection(), PrimitiveSection(), PackedSection(), StudySection(), TubesSection() })
   {
     sections.push_back(section);
   }
@@ -279,8 +283,8 @@ std::vector<ScoreScene> ScoreScenes(bool withCranium)
     scenes = { { "Cranium, high glossiness", "cranium", Cranium(), high, {} },
       { "Cranium, low glossiness", "cranium", Cranium(), low, {} } };
   }
-  const std::vector<ScoreScene> fields = {
-    { "Marschner-Lobb", "marschner-lobb", MarschnerLobb(), strong, {} },
+  const std::vector<ScoreScene> fields = { { "Marschner-Lobb", "marschner-lobb", MarschnerLobb(), strong,
+                                             {} },
     { "Ellipsoid", "ellipsoid", Primitive(), strong, {} },
     { "Packed ellipsoids", "packed", PackedEllipsoids(), strong, {} },
     { "Vortex tubes", "tubes", Tubes(), strong, {} } };
@@ -289,8 +293,8 @@ std::vector<ScoreScene> ScoreScenes(bool withCranium)
   {
     scene.Settings.Size = { ScorePictureSize, ScorePictureSize };
     const CameraSettings front = scene.Settings.Camera;
-    for (const auto& [azimuth, elevation] : { std::array<double, 2>{ 0.0, 0.0 }, { 40.0, 0.0 }, { -40.0, 10.0 },
-           { 80.0, 5.0 }, { 0.0, 30.0 } })
+    for (const auto& [azimuth, elevation] :
+      { std::array<double, 2>{ 0.0, 0.0 }, { 40.0, 0.0 }, { -40.0, 10.0 }, { 80.0, 5.0 }, { 0.0, 30.0 } })
     {
       CameraSettings view = front;
       view.Azimuth += azimuth;

@@ -56,7 +56,8 @@ std::string SettingsText(const PictureSettings& settings)
   }
   if (anisotropic && optics.FrameSource == "covariance")
   {
-    text += Number(", r %g", ambient.Radius) + (ambient.Pattern == "exhaustive" ? ", all voxels" : Number(", n %g", ambient.Samples)) +
+    text += Number(", r %g", ambient.Radius) +
+      (ambient.Pattern == "exhaustive" ? ", all voxels" : Number(", n %g", ambient.Samples)) +
       Number(", eps %g", ambient.Tolerance);
     text += ambient.FilterStandardDeviation > 0.0
       ? Number(", filter %g voxels", ambient.FilterStandardDeviation)
@@ -114,7 +115,8 @@ void PutScores(std::ostream& page, const std::vector<ScoreRow>& rows)
 void WriteGalleryPage(const std::string& folder, const GalleryContents& contents)
 {
   std::ostringstream page;
-  page << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>VolumeOptics gallery</title>\n"
+  page << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>VolumeOptics "
+          "gallery</title>\n"
        << "<meta name=\"viewport\" content=\"width=device-width\">\n<style>" << Style
        << "</style></head><body>\n<h1>VolumeOptics</h1>\n<p>Anisotropic ambient shading of volumes. "
        << "Rendered on " << contents.Renderer << ".</p>\n<nav>";

@@ -47,8 +47,8 @@ std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, Galle
         PictureSettings settings = scene.Settings;
         settings.Camera = row.Camera;
         settings.Optics = scene.Models[model];
-        const std::string name = "score-" + FileNameOf(scene.Name) + "-" + std::to_string(row.View) +
-          "-" + settings.Optics.Model;
+        const std::string name =
+          "score-" + FileNameOf(scene.Name) + "-" + std::to_string(row.View) + "-" + settings.Optics.Model;
         *scores[model] = studio.Draw(name, scene.Field, settings).Score;
       }
       rows.push_back(row);
@@ -63,7 +63,7 @@ void WriteScores(const std::string& path, const std::vector<ScoreRow>& rows)
   CsvWriter csv(path, { "scene", "view", "azimuth", "elevation", "blinn-phong", "ward", "lafortune" });
   for (const ScoreRow& row : rows)
   {
-    csv.Write(row.Scene, row.View, row.Camera.Azimuth, row.Camera.Elevation, row.BlinnPhong, row.Ward,
-      row.Lafortune);
+    csv.Write(
+      row.Scene, row.View, row.Camera.Azimuth, row.Camera.Elevation, row.BlinnPhong, row.Ward, row.Lafortune);
   }
 }

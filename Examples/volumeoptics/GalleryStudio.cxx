@@ -48,8 +48,7 @@ PictureSettings ReferenceOf(PictureSettings picture)
 }
 }
 
-GalleryStudio::GalleryStudio(
-  const std::string& folder, const std::string& cranium, bool headless, bool force)
+GalleryStudio::GalleryStudio(const std::string& folder, const std::string& cranium, bool headless, bool force)
   : Folder(folder)
   , CraniumFile(cranium)
   , Headless(headless)
@@ -89,8 +88,8 @@ PictureResult GalleryStudio::DrawOnly(
 {
   const json key = KeyOf(field, picture);
   const auto known = this->Known.find(file);
-  if (known != this->Known.end() && (*known)["settings"] == key && fs::exists(fs::path(this->Folder) / file) &&
-    (!this->Force || (*known).contains("thisRun")))
+  if (known != this->Known.end() && (*known)["settings"] == key &&
+    fs::exists(fs::path(this->Folder) / file) && (!this->Force || (*known).contains("thisRun")))
   {
     return (*known)["result"].get<PictureResult>();
   }
@@ -114,8 +113,8 @@ VolumeScene& GalleryStudio::Stage(const std::string& field)
   if (!this->Staged || this->StagedField != field)
   {
     this->Staged.reset();
-    this->Staged = std::make_unique<VolumeScene>(
-      GalleryField(field, this->CraniumFile), OffScreenWindow(this->Headless));
+    this->Staged =
+      std::make_unique<VolumeScene>(GalleryField(field, this->CraniumFile), OffScreenWindow(this->Headless));
     this->StagedField = field;
   }
   return *this->Staged;

@@ -23,8 +23,7 @@ struct PictureResult
   double Score = 0.0;
 };
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-  PictureResult, File, PreparationSeconds, FrameSeconds, Reference, Score)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PictureResult, File, PreparationSeconds, FrameSeconds, Reference, Score)
 
 class GalleryStudio
 {

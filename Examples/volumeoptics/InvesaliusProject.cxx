@@ -64,8 +64,8 @@ std::map<std::string, Bytes> ReadEntries(const std::string& path)
   }
   if (status != ARCHIVE_EOF || entries.size() != 2)
   {
-    throw Damaged(path, status == ARCHIVE_EOF ? "main.plist or matrix.dat is missing"
-                                              : archive_error_string(file.get()));
+    throw Damaged(
+      path, status == ARCHIVE_EOF ? "main.plist or matrix.dat is missing" : archive_error_string(file.get()));
   }
   return entries;
 }
@@ -117,8 +117,7 @@ vtkSmartPointer<vtkImageData> ReadInvesaliusProject(const std::string& path)
     throw Damaged(path, "shape, spacing and matrix.dat disagree");
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(
-    static_cast<int>(shape[2]), static_cast<int>(shape[1]), static_cast<int>(shape[0]));
+  image->SetDimensions(static_cast<int>(shape[2]), static_cast<int>(shape[1]), static_cast<int>(shape[0]));
   image->SetSpacing(spacing.data());
   image->AllocateScalars(VTK_SHORT, 1);
   std::memcpy(image->GetScalarPointer(), matrix.data(), matrix.size());

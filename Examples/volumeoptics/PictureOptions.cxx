@@ -64,7 +64,8 @@ void AddAmbient(CLI::App& command, AmbientSettings& ambient)
     ->capture_default_str()
     ->group(group);
   command
-    .add_option("--sampling", ambient.Pattern, "Pattern of the samples; exhaustive: all voxels, without noise")
+    .add_option(
+      "--sampling", ambient.Pattern, "Pattern of the samples; exhaustive: all voxels, without noise")
     ->check(CLI::IsMember({ "shared", "per-block", "per-voxel", "exhaustive" }))
     ->capture_default_str()
     ->group(group);
@@ -113,8 +114,7 @@ void AddView(CLI::App& command, PictureOptions& options)
     ->check(CLI::Validator(
       [](const std::string& text) {
         int width = 0, height = 0, read = 0;
-        const bool valid =
-          std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) == 2 &&
+        const bool valid = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) == 2 &&
           read == static_cast<int>(text.size()) && width > 0 && height > 0 && width <= 16384 &&
           height <= 16384;
         return valid ? "" : "'" + text + "' is not WIDTHxHEIGHT of 1 to 16384 pixels, e.g. 1024x768";
@@ -128,15 +128,17 @@ void AddView(CLI::App& command, PictureOptions& options)
     ->delimiter(',')
     ->expected(2)
     ->group(group);
-  command.add_option("--step", picture.Step, "Step along the ray, world length; default half the mean spacing")
+  command
+    .add_option("--step", picture.Step, "Step along the ray, world length; default half the mean spacing")
     ->check(CLI::PositiveNumber)
     ->group(group);
   command.add_option("--background", options.BackgroundText, "Name (white, black, slategray ...) or #rrggbb")
     ->check(CLI::Validator(
       [](const std::string& text) {
         vtkNew<vtkNamedColors> colors;
-        return colors->ColorExists(text) || (text.size() == 7 && text[0] == '#' &&
-                 text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
+        return colors->ColorExists(text) ||
+            (text.size() == 7 && text[0] == '#' &&
+              text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
           ? std::string()
           : "'" + text + "' is neither a colour's name nor #rrggbb";
       },
@@ -148,11 +150,15 @@ void AddView(CLI::App& command, PictureOptions& options)
 
 void PictureOptions::AddTo(CLI::App& command)
 {
-  command.add_option("FILE", this->File, "Volume: .vti .mhd .mha .nrrd .nii .nii.gz .vtk .dcm, DICOM folder, .inv3")
+  command
+    .add_option(
+      "FILE", this->File, "Volume: .vti .mhd .mha .nrrd .nii .nii.gz .vtk .dcm, DICOM folder, .inv3")
     ->required();
   command.add_option("--transfer-function", this->FunctionFile, "JSON file, see below")
     ->group("Classification");
-  command.add_option("--preset", this->PresetName, "Built-in transfer function; without one: from the histogram (.inv3: cranium)")
+  command
+    .add_option("--preset", this->PresetName,
+      "Built-in transfer function; without one: from the histogram (.inv3: cranium)")
     ->check(CLI::IsMember(PresetNames()))
     ->excludes("--transfer-function")
     ->group("Classification");

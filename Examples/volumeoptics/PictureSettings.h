@@ -57,14 +57,13 @@ struct PictureSettings
   std::string Quality = "custom";
 };
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OpticsSettings, Model, Glossiness, Anisotropy, Scattering, FrameSource)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-  OpticsSettings, Model, Glossiness, Anisotropy, Scattering, FrameSource)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AmbientSettings, Radius, Samples, Tolerance, ResolutionFactor,
-  FilterStandardDeviation, Pattern, Precision)
+  AmbientSettings, Radius, Samples, Tolerance, ResolutionFactor, FilterStandardDeviation, Pattern, Precision)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PictureSettings, Optics, Ambient, Camera, Light, Function, Size,
-  Background, Step, Quality)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+  PictureSettings, Optics, Ambient, Camera, Light, Function, Size, Background, Step, Quality)
 
 #endif

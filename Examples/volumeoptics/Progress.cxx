@@ -58,8 +58,7 @@ void Progress::Update(double fraction, const std::string& detail)
   this->LastPercent = percent;
   const int filled = percent * BarLength / 100;
   const std::string bar = std::string(filled, '#') + std::string(BarLength - filled, '.');
-  std::fprintf(stderr, "\r\033[K%s [%s] %3d %% %s", this->Task.c_str(), bar.c_str(), percent,
-    detail.c_str());
+  std::fprintf(stderr, "\r\033[K%s [%s] %3d %% %s", this->Task.c_str(), bar.c_str(), percent, detail.c_str());
   std::fflush(stderr);
 }
 

@@ -27,7 +27,8 @@ void Draw(RenderOptions& options)
   double first = 0.0;
   {
     Progress drawing("Rendering");
-    scene.SetPreparationCallback([&](double fraction) { drawing.Update(fraction, "normals and covariance"); });
+    scene.SetPreparationCallback(
+      [&](double fraction) { drawing.Update(fraction, "normals and covariance"); });
     first = scene.Render();
   }
   scene.WritePng(options.Output);

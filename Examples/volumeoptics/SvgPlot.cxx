@@ -21,14 +21,13 @@ const char* const Colors[] = { "#0b6fb8", "#c8501e", "#2d8a4e", "#8452a8", "#b08
 struct Axis
 {
   bool Logarithmic;
-  double Low, High;     // in log10 where logarithmic
-  double Begin, End;    // pixels
+  double Low, High;  // in log10 where logarithmic
+  double Begin, End; // pixels
 
   double Position(double value) const
   {
-    const double scaled = this->Logarithmic
-      ? (value > 0.0 ? std::max(std::log10(value), this->Low) : this->Low)
-      : value;
+    const double scaled =
+      this->Logarithmic ? (value > 0.0 ? std::max(std::log10(value), this->Low) : this->Low) : value;
     return this->Begin + (scaled - this->Low) / (this->High - this->Low) * (this->End - this->Begin);
   }
 
@@ -63,7 +62,8 @@ Axis MakeAxis(const Plot& plot, bool horizontal)
   low = low > high ? 0.0 : low;
   low = logarithmic ? low : std::min(low, 0.0);
   high = high <= low ? low + 1.0 : high;
-  return horizontal ? Axis{ logarithmic, low, high, Left, Right } : Axis{ logarithmic, low, high, Bottom, Top };
+  return horizontal ? Axis{ logarithmic, low, high, Left, Right }
+                    : Axis{ logarithmic, low, high, Bottom, Top };
 }
 
 std::string Escaped(const std::string& text)
@@ -116,12 +116,14 @@ void PutSeries(std::ostream& svg, std::size_t index, const PlotSeries& series, c
   svg << "\"/>\n";
   for (const PlotPoint& point : series.Points)
   {
-    svg << "<circle cx=\"" << x.Position(point.X) << "\" cy=\"" << y.Position(point.Y) << "\" r=\"3.5\" fill=\""
-        << color << "\"/>\n";
-    PutText(svg, x.Position(point.X) + 6.0, y.Position(point.Y) - 5.0, point.Label, "style=\"font-size:10px\"");
+    svg << "<circle cx=\"" << x.Position(point.X) << "\" cy=\"" << y.Position(point.Y)
+        << "\" r=\"3.5\" fill=\"" << color << "\"/>\n";
+    PutText(
+      svg, x.Position(point.X) + 6.0, y.Position(point.Y) - 5.0, point.Label, "style=\"font-size:10px\"");
   }
   const double row = Top + 10.0 + 22.0 * index;
-  svg << "<circle cx=\"" << Right + 25.0 << "\" cy=\"" << row - 4.0 << "\" r=\"4\" fill=\"" << color << "\"/>\n";
+  svg << "<circle cx=\"" << Right + 25.0 << "\" cy=\"" << row - 4.0 << "\" r=\"4\" fill=\"" << color
+      << "\"/>\n";
   PutText(svg, Right + 36.0, row, series.Name);
 }
 }

@@ -61,7 +61,8 @@ Setting With(const Setting& base, const std::string& knob, const std::string& va
 void AddPatterns(std::vector<Setting>& settings, const Setting& base)
 {
   const std::pair<const char*, int> patterns[] = { { "shared", vtkAmbientCovarianceFilter::Shared },
-    { "per block", vtkAmbientCovarianceFilter::PerBlock }, { "per voxel", vtkAmbientCovarianceFilter::PerVoxel } };
+    { "per block", vtkAmbientCovarianceFilter::PerBlock },
+    { "per voxel", vtkAmbientCovarianceFilter::PerVoxel } };
   for (const auto& pattern : patterns)
   {
     for (const int samples : { 10, 25, 50, 100, 200, 400, 800 })
@@ -71,10 +72,11 @@ void AddPatterns(std::vector<Setting>& settings, const Setting& base)
       {
         continue;
       }
-      settings.push_back(With(base, std::string("n, ") + pattern.first, std::to_string(samples), [&](Setting& s) {
-        s.Pattern = pattern.second;
-        s.Samples = samples;
-      }));
+      settings.push_back(
+        With(base, std::string("n, ") + pattern.first, std::to_string(samples), [&](Setting& s) {
+          s.Pattern = pattern.second;
+          s.Samples = samples;
+        }));
     }
   }
   for (const int samples : { 25, 100, 400 })
@@ -100,7 +102,8 @@ std::vector<Setting> Settings(double radius)
   }
   for (const double factor : { 0.25, 0.5, 0.75, 1.0 })
   {
-    settings.push_back(With(base, "grid factor", Text(factor), [&](Setting& s) { s.ResolutionFactor = factor; }));
+    settings.push_back(
+      With(base, "grid factor", Text(factor), [&](Setting& s) { s.ResolutionFactor = factor; }));
   }
   const std::pair<const char*, int> storages[] = { { "map", vtkAnisotropyFilter::Map },
     { "components", vtkAnisotropyFilter::Components }, { "world", vtkAnisotropyFilter::World } };
@@ -108,11 +111,12 @@ std::vector<Setting> Settings(double radius)
   {
     for (const int bits : { 8, 16, 32 })
     {
-      settings.push_back(With(base, std::string("bits, ") + storage.first, std::to_string(bits), [&](Setting& s) {
-        s.Storage = storage.second;
-        s.Bits = bits;
-        s.Pattern = vtkAmbientCovarianceFilter::Exhaustive;
-      }));
+      settings.push_back(
+        With(base, std::string("bits, ") + storage.first, std::to_string(bits), [&](Setting& s) {
+          s.Storage = storage.second;
+          s.Bits = bits;
+          s.Pattern = vtkAmbientCovarianceFilter::Exhaustive;
+        }));
     }
   }
   return settings;
@@ -163,8 +167,9 @@ FrameImage Truth(vtkImageData* image, const CovarianceTradeOptions& options, dou
 
 void WriteTable(const std::string& path, const std::vector<Outcome>& outcomes, double exhaustiveSeconds)
 {
-  CsvWriter csv(path, { "knob", "value", "seconds", "mean_angle_degrees", "fraction_above_10_degrees",
-    "strength_rms", "exhaustive_seconds" });
+  CsvWriter csv(path,
+    { "knob", "value", "seconds", "mean_angle_degrees", "fraction_above_10_degrees", "strength_rms",
+      "exhaustive_seconds" });
   for (const Outcome& outcome : outcomes)
   {
     csv.Write(outcome.With.Knob, outcome.With.Value, outcome.Seconds, outcome.Error.MeanAngle,
@@ -175,8 +180,8 @@ void WriteTable(const std::string& path, const std::vector<Outcome>& outcomes, d
 void WritePlots(const std::string& folder, const std::vector<Outcome>& outcomes)
 {
   Plot time{ "Covariance: time against error", "seconds", "mean error of the major axis, degrees", {} };
-  Plot poles{ "Storage: error by the normal's direction", "|n.z|", "mean error of the major axis, degrees", {},
-    false, true };
+  Plot poles{ "Storage: error by the normal's direction", "|n.z|", "mean error of the major axis, degrees",
+    {}, false, true };
   CsvWriter csv(folder + "/covariance-poles.csv", { "storage", "abs_nz", "mean_angle_degrees" });
   std::map<std::string, std::size_t> index;
   for (const Outcome& outcome : outcomes)
@@ -210,8 +215,7 @@ void WritePlots(const std::string& folder, const std::vector<Outcome>& outcomes)
 void TradeCovariance(const CovarianceTradeOptions& options)
 {
   std::filesystem::create_directories(options.Folder);
-  const Volume volume =
-    options.File.empty() ? GalleryField(options.Field, "") : ReadVolume(options.File);
+  const Volume volume = options.File.empty() ? GalleryField(options.Field, "") : ReadVolume(options.File);
   double exhaustiveSeconds = 0.0;
   FrameImage truth;
   {
@@ -228,7 +232,8 @@ void TradeCovariance(const CovarianceTradeOptions& options)
     const FrameImage estimate = Estimate(volume.Image, setting, options.Tolerance, outcome.Seconds);
     outcome.Error = CompareFrames(estimate, truth);
     outcomes.push_back(outcome);
-    trading.Update(static_cast<double>(outcomes.size()) / settings.size(), setting.Knob + " " + setting.Value);
+    trading.Update(
+      static_cast<double>(outcomes.size()) / settings.size(), setting.Knob + " " + setting.Value);
   }
   WriteTable(options.Folder + "/covariance.csv", outcomes, exhaustiveSeconds);
   WritePlots(options.Folder, outcomes);

@@ -81,9 +81,9 @@ reference::Image Truth(VolumeScene& scene, vtkImageData* image, const PictureSet
   auto* volume = vtkVolume::SafeDownCast(scene.GetRenderer()->GetVolumes()->GetItemAsObject(0));
   reference::Scene exact =
     reference::SceneFromVTK(scene.GetRenderer(), volume, picture.Size[0], picture.Size[1]);
-  exact.frames = std::make_shared<reference::GridFrameField>(
-    vtkImageData::SafeDownCast(normals->GetOutputDataObject(0)),
-    vtkImageData::SafeDownCast(covariance->GetOutputDataObject(0)));
+  exact.frames =
+    std::make_shared<reference::GridFrameField>(vtkImageData::SafeDownCast(normals->GetOutputDataObject(0)),
+      vtkImageData::SafeDownCast(covariance->GetOutputDataObject(0)));
   exact.step = 1.0 / 16.0;
   return reference::Render(exact);
 }
@@ -119,8 +119,8 @@ void TradeShading(const ShadingTradeOptions& options)
     picture.Step = setting.Step;
     picture.Ambient.Precision = setting.Precision;
     picture.Ambient.ResolutionFactor = setting.ResolutionFactor;
-    scene.GetMapper()->SetExtinctionGradient(setting.CentralDifferences ? vtkOpticsVolumeMapper::CentralDifferences
-                                                                        : vtkOpticsVolumeMapper::Stored);
+    scene.GetMapper()->SetExtinctionGradient(
+      setting.CentralDifferences ? vtkOpticsVolumeMapper::CentralDifferences : vtkOpticsVolumeMapper::Stored);
     scene.Apply(picture);
     scene.Render();
     const double seconds = MedianFrame(scene);

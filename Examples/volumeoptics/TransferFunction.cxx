@@ -19,9 +19,9 @@ using nlohmann::json;
 void to_json(json& object, const TransferFunction& function)
 {
   object = { { "opacity", function.Opacity }, { "color", function.Color },
-    { "unitDistance", function.UnitDistance }, { "shade", function.Shade },
-    { "ambient", function.Ambient }, { "diffuse", function.Diffuse },
-    { "specular", function.Specular }, { "specularPower", function.SpecularPower } };
+    { "unitDistance", function.UnitDistance }, { "shade", function.Shade }, { "ambient", function.Ambient },
+    { "diffuse", function.Diffuse }, { "specular", function.Specular },
+    { "specularPower", function.SpecularPower } };
   if (function.HasIsolate)
   {
     object["isolate"] = function.Isolate;
@@ -85,25 +85,24 @@ TransferFunction Preset(const std::string& name)
   function.Isolate = -400.0;
   function.Diffuse = 0.45;
   function.Specular = 0.6;
-  const std::vector<std::array<double, 4>> ivory = { { -1024.0, 0.8, 0.5, 0.4 },
-    { -150.0, 0.75, 0.45, 0.34 }, { 60.0, 0.65, 0.28, 0.24 }, { 150.0, 0.7, 0.4, 0.3 },
-    { 230.0, 0.85, 0.74, 0.57 }, { 500.0, 0.92, 0.84, 0.7 }, { 3100.0, 1.0, 0.97, 0.9 } };
+  const std::vector<std::array<double, 4>> ivory = { { -1024.0, 0.8, 0.5, 0.4 }, { -150.0, 0.75, 0.45, 0.34 },
+    { 60.0, 0.65, 0.28, 0.24 }, { 150.0, 0.7, 0.4, 0.3 }, { 230.0, 0.85, 0.74, 0.57 },
+    { 500.0, 0.92, 0.84, 0.7 }, { 3100.0, 1.0, 0.97, 0.9 } };
   function.Color = ivory;
   if (name == "bone")
   {
-    function.Opacity = { { -1024.0, 0.0 }, { 180.0, 0.0 }, { 280.0, 0.6 }, { 400.0, 0.95 },
-      { 3100.0, 1.0 } };
+    function.Opacity = { { -1024.0, 0.0 }, { 180.0, 0.0 }, { 280.0, 0.6 }, { 400.0, 0.95 }, { 3100.0, 1.0 } };
   }
   else if (name == "cranium")
   {
     function.Opacity = { { -1024.0, 0.0 }, { -450.0, 0.0 }, { -300.0, 0.03 }, { -150.0, 0.06 },
-      { 0.0, 0.015 }, { 80.0, 0.005 }, { 160.0, 0.0 }, { 200.0, 0.0 }, { 250.0, 0.35 },
-      { 400.0, 0.9 }, { 3100.0, 1.0 } };
+      { 0.0, 0.015 }, { 80.0, 0.005 }, { 160.0, 0.0 }, { 200.0, 0.0 }, { 250.0, 0.35 }, { 400.0, 0.9 },
+      { 3100.0, 1.0 } };
   }
   else if (name == "muscle")
   {
-    function.Opacity = { { -1024.0, 0.0 }, { -20.0, 0.0 }, { 20.0, 0.08 }, { 80.0, 0.25 },
-      { 180.0, 0.3 }, { 250.0, 0.8 }, { 3100.0, 1.0 } };
+    function.Opacity = { { -1024.0, 0.0 }, { -20.0, 0.0 }, { 20.0, 0.08 }, { 80.0, 0.25 }, { 180.0, 0.3 },
+      { 250.0, 0.8 }, { 3100.0, 1.0 } };
   }
   else if (name == "skin")
   {

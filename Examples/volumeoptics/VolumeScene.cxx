@@ -122,10 +122,8 @@ void VolumeScene::Apply(const PictureSettings& picture)
 void VolumeScene::ApplyOptics(const OpticsSettings& optics)
 {
   static const std::map<std::string, int> models = { { "vtk", vtkOpticsVolumeProperty::VTK },
-    { "none", vtkOpticsVolumeProperty::None },
-    { "blinn-phong", vtkOpticsVolumeProperty::BlinnPhong },
-    { "ward", vtkOpticsVolumeProperty::Ward },
-    { "lafortune", vtkOpticsVolumeProperty::Lafortune } };
+    { "none", vtkOpticsVolumeProperty::None }, { "blinn-phong", vtkOpticsVolumeProperty::BlinnPhong },
+    { "ward", vtkOpticsVolumeProperty::Ward }, { "lafortune", vtkOpticsVolumeProperty::Lafortune } };
   const int model = models.at(optics.Model);
   const vtkNew<vtkOpticsVolumeProperty> defaults;
   this->Property->SetReflectanceModel(model);
@@ -140,9 +138,8 @@ void VolumeScene::ApplyOptics(const OpticsSettings& optics)
       model, optics.Anisotropy < 0.0 ? defaults->GetAnisotropyScale(model) : optics.Anisotropy);
   }
   this->Property->SetScatteringAnisotropy(static_cast<float>(optics.Scattering));
-  this->Property->SetFrameSource(optics.FrameSource == "curvature"
-      ? vtkOpticsVolumeProperty::Curvature
-      : vtkOpticsVolumeProperty::Covariance);
+  this->Property->SetFrameSource(optics.FrameSource == "curvature" ? vtkOpticsVolumeProperty::Curvature
+                                                                   : vtkOpticsVolumeProperty::Covariance);
 }
 
 void VolumeScene::ApplyAmbient(const AmbientSettings& ambient)
@@ -151,7 +148,8 @@ void VolumeScene::ApplyAmbient(const AmbientSettings& ambient)
   covariance->SetRadius(ambient.Radius);
   covariance->SetNumberOfSamples(ambient.Samples);
   static const std::map<std::string, int> patterns = { { "shared", vtkAmbientCovarianceFilter::Shared },
-    { "per-block", vtkAmbientCovarianceFilter::PerBlock }, { "per-voxel", vtkAmbientCovarianceFilter::PerVoxel },
+    { "per-block", vtkAmbientCovarianceFilter::PerBlock },
+    { "per-voxel", vtkAmbientCovarianceFilter::PerVoxel },
     { "exhaustive", vtkAmbientCovarianceFilter::Exhaustive } };
   covariance->SetSamplingPattern(patterns.at(ambient.Pattern));
   covariance->SetScalarTolerance(ambient.Tolerance);
@@ -214,8 +212,8 @@ void VolumeScene::ApplyLight(const LightSettings& settings)
 {
   const double azimuth = vtkMath::RadiansFromDegrees(settings.Azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(settings.Elevation);
-  this->Light->SetPosition(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-    std::cos(azimuth) * std::cos(elevation));
+  this->Light->SetPosition(
+    std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation));
   this->Light->SetFocalPoint(0.0, 0.0, 0.0);
   this->Light->SetIntensity(settings.Intensity);
 }

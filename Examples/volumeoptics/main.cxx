@@ -29,14 +29,15 @@ Exit codes: 0 done, 1 a file or the machine is at fault, 2 the command line is.)
 
 int main(int argc, char** argv)
 {
-  CLI::App program("Volume rendering with optical models: anisotropic highlights by the shape of the data.",
-    "volumeoptics");
+  CLI::App program(
+    "Volume rendering with optical models: anisotropic highlights by the shape of the data.", "volumeoptics");
   program.footer(Examples);
   program.set_version_flag("--version", VOLUMEOPTICS_VERSION);
   program.require_subcommand(1);
   program.get_formatter()->column_width(32);
   program.fallthrough();
-  program.add_flag_callback("-q,--quiet", [] { Progress::SetQuiet(true); }, "No progress, no times");
+  program.add_flag_callback(
+    "-q,--quiet", [] { Progress::SetQuiet(true); }, "No progress, no times");
   AddRenderCommand(program);
   AddViewCommand(program);
   AddInfoCommand(program);

@@ -53,8 +53,8 @@ public:
   int ExitCode() const { return this->Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE; }
 
 private:
-  bool Report(bool ok, const std::string& what, double value, const char* relation, double reference,
-    double tolerance)
+  bool Report(
+    bool ok, const std::string& what, double value, const char* relation, double reference, double tolerance)
   {
     if (!ok && ++this->Failures <= 100)
     {

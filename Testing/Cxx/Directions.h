@@ -29,7 +29,10 @@ public:
     return from + (to - from) * (this->Engine() / 4294967296.0);
   }
 
-  double Normal() { return std::sqrt(-2.0 * std::log(1.0 - this->Uniform())) * std::cos(TwoPi * this->Uniform()); }
+  double Normal()
+  {
+    return std::sqrt(-2.0 * std::log(1.0 - this->Uniform())) * std::cos(TwoPi * this->Uniform());
+  }
 
   glm::dvec3 OnSphere()
   {
@@ -62,7 +65,8 @@ private:
 // At the polar angle from +z.
 inline glm::dvec3 Direction(double polar, double azimuth)
 {
-  return glm::dvec3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+  return glm::dvec3(
+    std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
 }
 }
 

@@ -32,7 +32,8 @@ void CheckRoundTrips(Check& check, const dvec3& normal, const dvec2& anisotropy)
   const double roundings = 4e-15;
   const dvec3 map = optics::EncodeMap(normal, anisotropy);
   check.Near("map", glm::distance(optics::DecodeMap(normal, map), anisotropy), 0.0, roundings);
-  check.AtMost("map within [-1, 1]", std::max(std::abs(map.x), std::max(std::abs(map.y), std::abs(map.z))), 1.0 + roundings);
+  check.AtMost("map within [-1, 1]", std::max(std::abs(map.x), std::max(std::abs(map.y), std::abs(map.z))),
+    1.0 + roundings);
   const dvec3 components = optics::EncodeComponents(anisotropy);
   check.Near("components", glm::distance(optics::DecodeComponents(components), anisotropy), 0.0, roundings);
   check.Near("trace", components.x + components.z, 1.0, roundings);
@@ -49,8 +50,8 @@ void CheckFlip(Check& check, const dvec3& normal, const dvec2& anisotropy)
   check.Near("world is free of the sign",
     Distance(optics::EncodeWorld(normal, anisotropy), optics::EncodeWorld(-normal, flipped)), 0.0, roundings);
   const dvec3 map = optics::EncodeMap(normal, anisotropy);
-  check.Near("map turns two signs", glm::distance(optics::EncodeMap(-normal, flipped), dvec3(-map.x, -map.y, map.z)),
-    0.0, roundings);
+  check.Near("map turns two signs",
+    glm::distance(optics::EncodeMap(-normal, flipped), dvec3(-map.x, -map.y, map.z)), 0.0, roundings);
   const optics::AnisotropyFrame a = optics::EigenFrame(normal, anisotropy);
   const optics::AnisotropyFrame b = optics::EigenFrame(-normal, flipped);
   check.Near("the line of U", std::abs(glm::dot(a.major, b.major)), 1.0, roundings);
@@ -69,15 +70,18 @@ void CheckPole(Check& check, double pole)
     const double radius = std::pow(10.0, random.Uniform(-12.0, -1.0));
     const auto nearPole = [&] {
       const double azimuth = random.Uniform(0.0, TwoPi);
-      return dvec3(radius * std::cos(azimuth), radius * std::sin(azimuth), pole * std::sqrt(1.0 - radius * radius));
+      return dvec3(
+        radius * std::cos(azimuth), radius * std::sin(azimuth), pole * std::sqrt(1.0 - radius * radius));
     };
     const dvec3 n1 = nearPole();
     const dvec3 n2 = nearPole();
     const dvec3 line = random.Across(dvec3(0.0, 0.0, 1.0));
     const dvec2 a1 = AnisotropyAlong(n1, line, 0.8);
     const dvec2 a2 = AnisotropyAlong(n2, line, 0.8);
-    worstMap = std::max(worstMap, glm::distance(optics::EncodeMap(n1, a1), optics::EncodeMap(n2, a2)) / radius);
-    worstWorld = std::max(worstWorld, Distance(optics::EncodeWorld(n1, a1), optics::EncodeWorld(n2, a2)) / radius);
+    worstMap =
+      std::max(worstMap, glm::distance(optics::EncodeMap(n1, a1), optics::EncodeMap(n2, a2)) / radius);
+    worstWorld =
+      std::max(worstWorld, Distance(optics::EncodeWorld(n1, a1), optics::EncodeWorld(n2, a2)) / radius);
     meanComponents += glm::distance(optics::EncodeComponents(a1), optics::EncodeComponents(a2)) / pairs;
   }
   std::cout << "across the pole, per distance: map " << worstMap << ", world " << worstWorld

@@ -138,7 +138,8 @@ int TestAnisotropyInterpolation(int, char*[])
   }
   // where the paper's basis is smooth, all are alike
   const dvec3 side = glm::normalize(dvec3(0.6, 0.7, 0.3));
-  check.AtMost("components on a side", Print("components, side", Storage::Components, side, noise, 0).Mean, 1.0);
+  check.AtMost(
+    "components on a side", Print("components, side", Storage::Components, side, noise, 0).Mean, 1.0);
   check.AtMost("map on a side", Print("map, side", Storage::Map, side, noise, 0).Mean, 1.0);
   check.AtMost("map on a side, 8 bits", Print("map, side, 8 bits", Storage::Map, side, noise, 255).Mean, 1.0);
   return check.ExitCode();

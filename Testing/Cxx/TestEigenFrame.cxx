@@ -74,7 +74,8 @@ void CheckKnownCases(Check& check)
   // C12 = 0 is not isotropic, against the text after [Ament2015] eq. 28
   check.Near("along theta", optics::EigenFrame(normal, dvec2(third, 0.0)).major.x, 1.0, 0.0);
   check.Near("along phi", optics::EigenFrame(normal, dvec2(-third, 0.0)).major.y, 1.0, 0.0);
-  check.Near("along phi, from below", std::abs(optics::EigenFrame(normal, dvec2(-third, -0.0)).major.y), 1.0, 0.0);
+  check.Near(
+    "along phi, from below", std::abs(optics::EigenFrame(normal, dvec2(-third, -0.0)).major.y), 1.0, 0.0);
   check.Near("ratio 2", optics::EigenFrame(normal, dvec2(-third, 0.0)).logRatio, std::log(2.0), Rounding);
   const double diagonal = std::sqrt(0.5);
   check.Near("diagonal", optics::EigenFrame(normal, dvec2(0.0, third)).major.y, diagonal, Rounding);

@@ -135,7 +135,9 @@ void CheckAttenuation(Check& check)
 void CheckColorAndSum(Check& check)
 {
   SphereScene left, right, both, none;
-  const auto addLeft = [](SphereScene& scene) { scene.Add({ -3.0, -3.0, 0.0 }, false)->SetColor(1.0, 0.0, 0.0); };
+  const auto addLeft = [](SphereScene& scene) {
+    scene.Add({ -3.0, -3.0, 0.0 }, false)->SetColor(1.0, 0.0, 0.0);
+  };
   const auto addRight = [](SphereScene& scene) { scene.Add({ 3.0, -3.0, 1.0 }, false)->SetIntensity(0.5); };
   addLeft(left);
   addRight(right);

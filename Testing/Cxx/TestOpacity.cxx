@@ -18,7 +18,8 @@ void CheckInverses(Check& check)
     const double opacity = optics::OneMinusExp(x);
     check.Near("1 - exp(-x)", opacity, -std::expm1(-x), Series * -std::expm1(-x));
   }
-  for (double a : { 0.0, 1e-300, 1e-30, 1e-12, 1e-6, 1e-3, 0.0099, 0.01, 0.0101, 0.1, 0.5, 0.999, 1.0 - 1e-15 })
+  for (double a :
+    { 0.0, 1e-300, 1e-30, 1e-12, 1e-6, 1e-3, 0.0099, 0.01, 0.0101, 0.1, 0.5, 0.999, 1.0 - 1e-15 })
   {
     check.Near("-ln(1 - a)", optics::OpticalDepth(a), -std::log1p(-a), Series * -std::log1p(-a));
   }
@@ -36,7 +37,8 @@ void CheckLengths(Check& check)
   check.Near("two lengths of a half", optics::OpacityForLength(0.5, 2.0), 0.75, Rounding);
   check.Near("half a length", optics::OpacityForLength(0.75, 0.5), 0.5, Rounding);
   check.Near("tiny opacity", optics::OpacityForLength(1e-12, 0.25), 2.5e-13, 1e-24);
-  check.Near("tiny opacity over a long way", optics::OpacityForLength(1e-12, 1e12), 1.0 - std::exp(-1.0), 1e-12);
+  check.Near(
+    "tiny opacity over a long way", optics::OpacityForLength(1e-12, 1e12), 1.0 - std::exp(-1.0), 1e-12);
   for (double opacity : { 1e-12, 1e-4, 0.005, 0.02, 0.3, 0.9, 0.999999 })
   {
     check.Near("the same length", optics::OpacityForLength(opacity, 1.0), opacity, 2.0 * Series * opacity);
@@ -54,7 +56,8 @@ void CheckLengths(Check& check)
 
 void CheckSpecularCoefficient(Check& check)
 {
-  check.Near("bounded depth", optics::BoundedOpticalDepth(1.0), std::log(1000.0), 1e-12); // 1 - .999: 13 digits
+  check.Near(
+    "bounded depth", optics::BoundedOpticalDepth(1.0), std::log(1000.0), 1e-12); // 1 - .999: 13 digits
   check.Near("depth within the bound", optics::BoundedOpticalDepth(0.5), std::log(2.0), Rounding);
   check.Near("depth of a negative opacity", optics::BoundedOpticalDepth(-1.0), 0.0, 0.0);
   check.Near("gradient", optics::SpecularCoefficient(0.75, 0.25, 2.0), 0.5, 0.0);

@@ -77,22 +77,27 @@ void CheckWard(Check& check)
     const dvec3 turned = random.Across(Normal);
     const double iso = optics::WardReflection(Normal, turned, glm::cross(Normal, turned), l, v, w, w);
     const double tangent = std::tan(std::acos(glm::normalize(l + v).z));
-    const double closed = std::exp(-tangent * tangent / (w * w)) / (4.0 * optics::Pi * w * w) * l.z / std::max(l.z, v.z);
+    const double closed =
+      std::exp(-tangent * tangent / (w * w)) / (4.0 * optics::Pi * w * w) * l.z / std::max(l.z, v.z);
     // acos near 1 leaves 8 digits of the angle
     check.Near("isotropic", iso, closed, 1e-6 / (4.0 * optics::Pi * w * w));
   }
   check.Near("peak", optics::WardReflection(Normal, Major, Minor, Normal, Normal, 0.5, 0.25),
     2.0 / optics::Pi, Rounding);
-  check.Near("viewer behind", optics::WardReflection(Normal, Major, Minor, Normal, -Normal, 0.2, 0.2), 0.0, 0.0);
-  check.Near("light behind", optics::WardReflection(Normal, Major, Minor, -Normal, Normal, 0.2, 0.2), 0.0, 0.0);
-  check.Near("viewer in the plane", optics::WardReflection(Normal, Major, Minor, Normal, Major, 0.2, 0.2), 0.0, 0.0);
+  check.Near(
+    "viewer behind", optics::WardReflection(Normal, Major, Minor, Normal, -Normal, 0.2, 0.2), 0.0, 0.0);
+  check.Near(
+    "light behind", optics::WardReflection(Normal, Major, Minor, -Normal, Normal, 0.2, 0.2), 0.0, 0.0);
+  check.Near(
+    "viewer in the plane", optics::WardReflection(Normal, Major, Minor, Normal, Major, 0.2, 0.2), 0.0, 0.0);
   for (double cosine : { 1e-3, 1e-6, 1e-12, 1e-300 })
   {
     const dvec3 grazing(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
     const dvec3 mirror(-grazing.x, 0.0, cosine);
     check.Near("mirror at grazing", optics::WardReflection(Normal, Major, Minor, grazing, mirror, 1.0, 1.0),
       0.25 / optics::Pi, Rounding);
-    check.Finite("retroreflection at grazing", optics::WardReflection(Normal, Major, Minor, grazing, grazing, 1e-4, 1e-4));
+    check.Finite("retroreflection at grazing",
+      optics::WardReflection(Normal, Major, Minor, grazing, grazing, 1e-4, 1e-4));
   }
 }
 
@@ -119,8 +124,8 @@ void CheckLafortune(Check& check)
 {
   check.Near("isotropic weight", optics::LafortuneMajorWeight(0.0, 10.0), -1.0, 0.0);
   check.Near("weight without a scale", optics::LafortuneMajorWeight(7.0, 0.0), -1.0, 0.0);
-  check.Near("weight, ratio 2, scale 1", optics::LafortuneMajorWeight(std::log(2.0), 1.0), 1.0 - 2.0 * std::exp(-1.0),
-    Rounding);
+  check.Near("weight, ratio 2, scale 1", optics::LafortuneMajorWeight(std::log(2.0), 1.0),
+    1.0 - 2.0 * std::exp(-1.0), Rounding);
   double last = -1.0;
   for (double scale : { 0.0, 1e-3, 0.1, 1.0, 10.0, 60.0, 1e4 })
   {
@@ -151,7 +156,8 @@ void CheckLafortune(Check& check)
       check.Near("reciprocity", there / l.z, back / v.z, Rounding * (1.0 + exponent));
     }
   }
-  check.Near("light behind", optics::LafortuneReflection(Normal, Major, Minor, -Normal, Normal, -1.0, 30.0), 0.0, 0.0);
+  check.Near(
+    "light behind", optics::LafortuneReflection(Normal, Major, Minor, -Normal, Normal, -1.0, 30.0), 0.0, 0.0);
 }
 }
 

@@ -7,7 +7,6 @@
 #include "ShaderText.h"
 #include "TestScene.h"
 
-
 #include <functional>
 
 namespace
@@ -41,7 +40,8 @@ void Compare(Check& check, const std::string& name, const Setting& setting)
   const Frame actual = Draw(ours);
   check.That(expected.First == actual.First, name + ": the first frame differs from VTK's");
   check.That(expected.Second == actual.Second, name + ": the second frame differs from VTK's");
-  check.That(!expected.Text.empty() && expected.Text == actual.Text, name + ": the shader differs from VTK's");
+  check.That(
+    !expected.Text.empty() && expected.Text == actual.Text, name + ": the shader differs from VTK's");
   check.That(ours.Optics->GetActiveTerms().empty(), name + ": a term is active");
   check.That(ours.Optics->GetTermMemorySize() == 0, name + ": a term holds memory");
 }
@@ -56,8 +56,8 @@ int TestStockIdentity(int, char*[])
     scene.Property->ShadeOff();
     scene.Property->SetReflectanceModelToWard();
   });
-  Compare(check, "maximum intensity",
-    [](TestScene& scene) { scene.Mapper->SetBlendModeToMaximumIntensity(); });
+  Compare(
+    check, "maximum intensity", [](TestScene& scene) { scene.Mapper->SetBlendModeToMaximumIntensity(); });
   Compare(check, "parallel projection",
     [](TestScene& scene) { scene.Renderer->GetActiveCamera()->ParallelProjectionOn(); });
   return check.ExitCode();

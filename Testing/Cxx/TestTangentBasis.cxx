@@ -12,8 +12,8 @@ namespace
 {
 using glm::dvec3;
 
-void CheckOrthonormal(
-  Check& check, const std::string& what, const dvec3& normal, const dvec3& theta, const dvec3& phi, double tolerance)
+void CheckOrthonormal(Check& check, const std::string& what, const dvec3& normal, const dvec3& theta,
+  const dvec3& phi, double tolerance)
 {
   check.Near(what + " |theta|", glm::length(theta), 1.0, tolerance);
   check.Near(what + " |phi|", glm::length(phi), 1.0, tolerance);

@@ -101,7 +101,8 @@ const std::vector<TestedFunction>& TestedFunctions()
       },
       2.0, 8.0 },
     // the exponent multiplies the cosine's error and, on a GPU, that of log2 (2^-21 near 1)
-    { "BlinnPhongReflection", [](const FunctionCase& c, const glm::dvec4&) { return 1.0 + c.P.x; }, 4.0, 16.0 },
+    { "BlinnPhongReflection", [](const FunctionCase& c, const glm::dvec4&) { return 1.0 + c.P.x; }, 4.0,
+      16.0 },
     // relative to the peak, 1/(4 pi u v); d exp(-x^2)/dx < 1 and x = cos / roughness
     { "WardReflection",
       [](const FunctionCase& c, const glm::dvec4&) {
@@ -109,7 +110,8 @@ const std::vector<TestedFunction>& TestedFunctions()
         return peak * (1.0 + 1.0 / std::min(c.P.x, c.P.y));
       },
       16.0, 32.0 },
-    { "LafortuneReflection", [](const FunctionCase& c, const glm::dvec4&) { return 1.0 + c.P.y; }, 8.0, 32.0 },
+    { "LafortuneReflection", [](const FunctionCase& c, const glm::dvec4&) { return 1.0 + c.P.y; }, 8.0,
+      32.0 },
     // what follows has terms of order 1 and no amplification
     { "SphericalBasis.theta", one, 4.0, 16.0 },
     { "SphericalBasis.phi", one, 4.0, 16.0 },
@@ -259,8 +261,8 @@ private:
         {
           const glm::dvec3 light(std::sqrt(1.0 - z * z), 0.0, z);
           const double rho = std::sqrt(1.0 - zViewer * zViewer);
-          this->AddLobes(FunctionCase(), light, glm::dvec3(rho * std::cos(azimuth), rho * std::sin(azimuth), zViewer),
-            exponents, roughnesses);
+          this->AddLobes(FunctionCase(), light,
+            glm::dvec3(rho * std::cos(azimuth), rho * std::sin(azimuth), zViewer), exponents, roughnesses);
         }
       }
     }
@@ -344,7 +346,8 @@ private:
 glm::dvec4 InDouble(const FunctionCase& c)
 {
   return optics::Evaluate(c.Function,
-    { glm::dvec3(c.Normal), glm::dvec3(c.ToLight), glm::dvec3(c.ToViewer), glm::dvec3(c.Major), glm::dvec3(c.P) });
+    { glm::dvec3(c.Normal), glm::dvec3(c.ToLight), glm::dvec3(c.ToViewer), glm::dvec3(c.Major),
+      glm::dvec3(c.P) });
 }
 
 // Compares results of another precision with the double ones and prints the worst of each function.
