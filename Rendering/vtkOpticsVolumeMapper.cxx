@@ -3,6 +3,7 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
+#include "ParameterRange.h"
 #include "DefaultOptics.h"
 #include "LightUniforms.h"
 #include "OpticsFactory.h"
@@ -248,17 +249,7 @@ vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter(
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
 {
-  if (bits != 8 && bits != 16 && bits != 32)
-  {
-    vtkWarningMacro(<< "FramePrecision " << bits << " is none of 8, 16, 32; it stays " << this->FramePrecision
-                    << ".");
-    return;
-  }
-  if (bits != this->FramePrecision)
-  {
-    this->FramePrecision = bits;
-    this->Modified();
-  }
+  volumeoptics::SetPrecision(this, "FramePrecision", bits, this->FramePrecision);
 }
 
 //------------------------------------------------------------------------------
