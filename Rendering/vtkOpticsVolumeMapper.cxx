@@ -60,7 +60,7 @@ struct Preset
   double FilterStandardDeviation; // voxels
 };
 const Preset Presets[] = { {}, { 1.0, 0.5, 8, 100, 1.0 }, { 0.5, 1.0, 8, 300, 1.0 },
-  { 0.25, 1.0, 16, 1000, 1.0 } };
+  { 0.25, 1.0, 16, 4096, 0.0 } };
 
 // Opacity depends on the first component, or on the last one where the components belong together.
 int OpacityComponent(vtkDataArray* scalars, vtkVolumeProperty* property)
