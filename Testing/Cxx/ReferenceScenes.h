@@ -6,11 +6,11 @@
 #ifndef ReferenceScenes_h
 #define ReferenceScenes_h
 
+#include "Check.h"
 #include "RayCaster.h"
 
 #include "vtkNew.h"
 
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -19,24 +19,6 @@ namespace
 namespace scenes
 {
 using reference::Vector;
-
-// Prints and counts what fails.
-class Checks
-{
-public:
-  void That(bool passed, const std::string& what)
-  {
-    if (!passed)
-    {
-      std::cerr << "Failed: " << what << "\n";
-      ++this->Failures;
-    }
-  }
-  bool AllPassed() const { return this->Failures == 0; }
-
-private:
-  int Failures = 0;
-};
 
 class ConstantField : public reference::Field
 {

@@ -3,6 +3,8 @@
 
 // The analytic fields: exact gradients against finite differences, closed values, range, pieces.
 
+#include "Check.h"
+
 #include "AnalyticFields.h"
 #include "vtkAnalyticVolumeSource.h"
 
@@ -19,16 +21,7 @@
 
 namespace
 {
-int Failures = 0;
-
-void Check(bool passed, const char* what)
-{
-  if (!passed)
-  {
-    std::cerr << "Failed: " << what << "\n";
-    ++Failures;
-  }
-}
+Check check;
 
 // Fourth-order differences; their own error bounds the tolerance.
 double Difference(const analytic::AnalyticField& field, analytic::Vector p, int axis)
@@ -55,7 +48,7 @@ void TestGradients()
       const analytic::Vector p = { analytic::HashNoise(n, 0, 7, 3), analytic::HashNoise(n, 1, 7, 3),
         analytic::HashNoise(n, 2, 7, 3) };
       const analytic::Dual exact = field.ValueAndGradient(p);
-      Check(exact.value == field.Value(p), "dual and plain values agree");
+      check.That(exact.value == field.Value(p), "dual and plain values agree");
       for (int axis = 0; axis < 3; ++axis)
       {
         worst = std::max(worst, std::abs(exact.gradient[axis] - Difference(field, p, axis)));
@@ -63,7 +56,7 @@ void TestGradients()
     }
     std::cout << "field " << type << ": largest difference from finite differences " << worst << "\n";
     // the noise bends a thousand times as sharply as the other fields
-    Check(worst < (type == analytic::NoisyHomogeneousField ? 5.0e-4 : 2.0e-5),
+    check.That(worst < (type == analytic::NoisyHomogeneousField ? 5.0e-4 : 2.0e-5),
       "gradient agrees with finite differences");
   }
 }
@@ -74,18 +67,18 @@ void TestClosedValues()
   auto near = [](double a, double b) { return std::abs(a - b) < 1.0e-14; };
   const AnalyticField signal(analytic::MarschnerLobbField);
   // at the origin cos(12 pi) = 1: (1 + 1/4 * 2)/(5/2)
-  Check(near(signal.Value({ 0.0, 0.0, 0.0 }), 0.6), "Marschner-Lobb at the origin");
-  Check(near(signal.Value({ 0.0, 0.0, 1.0 }), 0.2), "Marschner-Lobb at the top");
+  check.That(near(signal.Value({ 0.0, 0.0, 0.0 }), 0.6), "Marschner-Lobb at the origin");
+  check.That(near(signal.Value({ 0.0, 0.0, 1.0 }), 0.2), "Marschner-Lobb at the top");
   const AnalyticField sphere(analytic::SphereField);
-  Check(near(sphere.Value({ 0.3, 0.4, 0.0 }), 0.5), "one half on the sphere");
+  check.That(near(sphere.Value({ 0.3, 0.4, 0.0 }), 0.5), "one half on the sphere");
   const AnalyticField ellipsoid(analytic::EllipsoidField);
-  Check(near(ellipsoid.Value({ 0.0, 0.0, 0.8 }), 0.5), "one half on the ellipsoid");
+  check.That(near(ellipsoid.Value({ 0.0, 0.0, 0.8 }), 0.5), "one half on the ellipsoid");
   const AnalyticField cylinder(analytic::CylinderField);
-  Check(near(cylinder.Value({ 0.3, 0.4, -0.9 }), 0.5), "one half on the cylinder");
+  check.That(near(cylinder.Value({ 0.3, 0.4, -0.9 }), 0.5), "one half on the cylinder");
   const AnalyticField torus(analytic::TorusField);
-  Check(near(torus.Value({ 0.5, 0.0, 0.2 }), 0.5), "one half on the torus");
+  check.That(near(torus.Value({ 0.5, 0.0, 0.2 }), 0.5), "one half on the torus");
   const AnalyticField ramp(analytic::LinearRampField);
-  Check(near(ramp.Value({ 0.2, 0.3, 0.5 }), 0.75), "the ramp");
+  check.That(near(ramp.Value({ 0.2, 0.3, 0.5 }), 0.75), "the ramp");
 }
 
 void TestRanges()
@@ -98,7 +91,7 @@ void TestRanges()
     double range[2];
     source->GetOutput()->GetScalarRange(range);
     std::cout << source->GetFieldAsString() << ": [" << range[0] << ", " << range[1] << "]\n";
-    Check(range[0] >= 0.0 && range[1] <= 1.0 && range[0] < range[1], "scalars in [0, 1]");
+    check.That(range[0] >= 0.0 && range[1] <= 1.0 && range[0] < range[1], "scalars in [0, 1]");
   }
 }
 
@@ -127,8 +120,8 @@ void TestPieces()
       }
     }
   }
-  Check(same == 16 * 9 * 9, "a piece equals the whole");
-  Check(piece->GetNumberOfPoints() == 16 * 9 * 9, "a piece is no larger than asked for");
+  check.That(same == 16 * 9 * 9, "a piece equals the whole");
+  check.That(piece->GetNumberOfPoints() == 16 * 9 * 9, "a piece is no larger than asked for");
 }
 
 void TestTypes()
@@ -143,12 +136,12 @@ void TestTypes()
     source->SetOutputScalarType(type);
     source->Update();
     vtkImageData* output = source->GetOutput();
-    Check(output->GetScalarType() == type, "the scalar type asked for");
+    check.That(output->GetScalarType() == type, "the scalar type asked for");
     const double top = output->GetScalarComponentAsDouble(0, 0, 2, 0);
     const double middle = output->GetScalarComponentAsDouble(0, 0, 1, 0);
-    Check(output->GetScalarComponentAsDouble(0, 0, 0, 0) == 0.0, "0 at the bottom");
-    Check(type >= VTK_FLOAT && type <= VTK_DOUBLE ? top == 1.0 : top >= 127.0, "the range's end");
-    Check(std::abs(middle - top / 2.0) <= 0.5, "one half in the middle");
+    check.That(output->GetScalarComponentAsDouble(0, 0, 0, 0) == 0.0, "0 at the bottom");
+    check.That(type >= VTK_FLOAT && type <= VTK_DOUBLE ? top == 1.0 : top >= 127.0, "the range's end");
+    check.That(std::abs(middle - top / 2.0) <= 0.5, "one half in the middle");
   }
 }
 
@@ -179,7 +172,7 @@ void TestProgressAndAbort()
     vtkNew<vtkAnalyticVolumeSource> source;
     source->AddObserver(vtkCommand::ProgressEvent, command);
     source->Update();
-    Check(abortAt == 3 ? progress.events <= 5 : progress.events >= 20, "progress and abort");
+    check.That(abortAt == 3 ? progress.events <= 5 : progress.events >= 20, "progress and abort");
   }
 }
 }
@@ -192,5 +185,5 @@ int TestAnalyticVolumeSource(int, char*[])
   TestPieces();
   TestTypes();
   TestProgressAndAbort();
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return check.ExitCode();
 }

@@ -6,6 +6,8 @@
 // CMake runs it with EGL, with OSMesa, and with an EGL that has no driver; the first argument is what
 // the window must draw with.
 
+#include "Check.h"
+
 #include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkConeSource.h"
@@ -33,16 +35,7 @@
 
 namespace
 {
-int Failures = 0;
-
-void Check(bool holds, const std::string& what)
-{
-  if (!holds)
-  {
-    std::cout << "Not so: " << what << "\n";
-    ++Failures;
-  }
-}
+Check check;
 
 // What comes to the file descriptor of stderr while this lives, also from drivers.
 class CapturedStandardError
@@ -135,7 +128,7 @@ void CheckPicture(vtkHeadlessRenderWindow* window, const std::string& when)
   vtkImageData* picture = grab->GetOutput();
   int size[3];
   picture->GetDimensions(size);
-  Check(size[0] == window->GetSize()[0] && size[1] == window->GetSize()[1], "the size " + when);
+  check.That(size[0] == window->GetSize()[0] && size[1] == window->GetSize()[1], "the size " + when);
   auto strongest = [&](int x) {
     int best = 0;
     for (int i = 1; i < 3; ++i)
@@ -148,11 +141,11 @@ void CheckPicture(vtkHeadlessRenderWindow* window, const std::string& when)
     }
     return best;
   };
-  Check(strongest(3 * size[0] / 10) == 0, "a red cone on the left " + when);
-  Check(strongest(7 * size[0] / 10) == 1, "a green block on the right " + when);
-  Check(strongest(2) == 2, "a blue background " + when);
+  check.That(strongest(3 * size[0] / 10) == 0, "a red cone on the left " + when);
+  check.That(strongest(7 * size[0] / 10) == 1, "a green block on the right " + when);
+  check.That(strongest(2) == 2, "a blue background " + when);
   unsigned int error[1];
-  Check(vtkGetOpenGLErrors(1, error, nullptr) == 0, "no OpenGL error " + when);
+  check.That(vtkGetOpenGLErrors(1, error, nullptr) == 0, "no OpenGL error " + when);
 }
 
 void CheckWindows(const std::string& driver)
@@ -161,10 +154,10 @@ void CheckWindows(const std::string& driver)
   window->SetSize(200, 200);
   AddScene(window);
   CheckPicture(window, "at first");
-  Check(window->GetSize()[0] == 200, "a width of 200");
+  check.That(window->GetSize()[0] == 200, "a width of 200");
   const std::string name = window->GetContextName();
   std::cout << "Rendered with " << name << "\n";
-  Check(name.rfind(driver, 0) == 0, "it draws with " + driver + " and not with " + name);
+  check.That(name.rfind(driver, 0) == 0, "it draws with " + driver + " and not with " + name);
 
   window->SetSize(320, 240);
   CheckPicture(window, "with another size");
@@ -172,7 +165,7 @@ void CheckWindows(const std::string& driver)
   vtkNew<vtkHeadlessRenderWindow> second;
   AddScene(second);
   CheckPicture(second, "in a second window");
-  Check(!window->IsCurrent() && second->IsCurrent(), "the second window is current");
+  check.That(!window->IsCurrent() && second->IsCurrent(), "the second window is current");
   CheckPicture(window, "in the first window again");
 
   window->Finalize();
@@ -180,8 +173,8 @@ void CheckWindows(const std::string& driver)
   CheckPicture(window, "after Finalize()");
   window->ReleaseCurrent();
   CheckPicture(window, "after ReleaseCurrent()");
-  Check(window->SupportsOpenGL() == 1, "it supports OpenGL");
-  Check(std::string(window->ReportCapabilities()).find("OpenGL version") != std::string::npos,
+  check.That(window->SupportsOpenGL() == 1, "it supports OpenGL");
+  check.That(std::string(window->ReportCapabilities()).find("OpenGL version") != std::string::npos,
     "it reports its version");
 }
 
@@ -189,10 +182,10 @@ void CheckOverride()
 {
   vtkHeadlessRenderWindow::SetGlobalOverride(true);
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
-  Check(vtkHeadlessRenderWindow::SafeDownCast(window) != nullptr, "vtkRenderWindow is overridden");
+  check.That(vtkHeadlessRenderWindow::SafeDownCast(window) != nullptr, "vtkRenderWindow is overridden");
   vtkHeadlessRenderWindow::SetGlobalOverride(false);
   window = vtkSmartPointer<vtkRenderWindow>::New();
-  Check(!vtkHeadlessRenderWindow::SafeDownCast(window), "vtkRenderWindow is itself again");
+  check.That(!vtkHeadlessRenderWindow::SafeDownCast(window), "vtkRenderWindow is itself again");
 }
 }
 
@@ -205,6 +198,6 @@ int TestHeadlessRenderWindow(int argc, char* argv[])
     CheckOverride();
     text = standardError.GetText();
   }
-  Check(text.empty(), "nothing on stderr, but there is: " + text);
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  check.That(text.empty(), "nothing on stderr, but there is: " + text);
+  return check.ExitCode();
 }

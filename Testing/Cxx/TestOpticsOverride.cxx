@@ -4,6 +4,8 @@
 // One call lets VTK's own class names give this module's mapper, and another one takes it back; a
 // switched-off override leaves other factories as they were.
 
+#include "Check.h"
+
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -17,16 +19,7 @@
 
 namespace
 {
-int Failures = 0;
-
-void Check(bool holds, const char* what)
-{
-  if (!holds)
-  {
-    std::cout << "Not so: " << what << "\n";
-    ++Failures;
-  }
-}
+Check check;
 
 // vtkSmartVolumeMapper makes its own ray caster.
 class SmartMapper : public vtkSmartVolumeMapper
@@ -42,30 +35,30 @@ bool GivesOptics()
 {
   auto mapper = vtkSmartPointer<vtkGPUVolumeRayCastMapper>::New();
   vtkNew<SmartMapper> smart;
-  Check(mapper != nullptr, "there is a mapper");
+  check.That(mapper != nullptr, "there is a mapper");
   const bool isOptics = vtkOpticsVolumeMapper::SafeDownCast(mapper) != nullptr;
-  Check(smart->IsOptics() == isOptics, "vtkSmartVolumeMapper uses the same mapper");
+  check.That(smart->IsOptics() == isOptics, "vtkSmartVolumeMapper uses the same mapper");
   return isOptics;
 }
 }
 
 int TestOpticsOverride(int, char*[])
 {
-  Check(!GivesOptics(), "VTK's own mapper is the default");
-  Check(!vtkOpticsVolumeMapper::GetGlobalOverride(), "the override is off by default");
+  check.That(!GivesOptics(), "VTK's own mapper is the default");
+  check.That(!vtkOpticsVolumeMapper::GetGlobalOverride(), "the override is off by default");
   for (int i = 0; i < 2; ++i)
   {
     vtkOpticsVolumeMapper::SetGlobalOverride(true);
-    Check(vtkOpticsVolumeMapper::GetGlobalOverride() && GivesOptics(), "the override is on");
+    check.That(vtkOpticsVolumeMapper::GetGlobalOverride() && GivesOptics(), "the override is on");
     vtkOpticsVolumeMapper::SetGlobalOverride(false);
-    Check(!vtkOpticsVolumeMapper::GetGlobalOverride() && !GivesOptics(), "the override is off again");
+    check.That(!vtkOpticsVolumeMapper::GetGlobalOverride() && !GivesOptics(), "the override is off again");
   }
 
-  Check(!vtkOpticsVolumeMapper::GetDefaultOptics(), "there are no default optics");
+  check.That(!vtkOpticsVolumeMapper::GetDefaultOptics(), "there are no default optics");
   vtkNew<vtkOpticsVolumeProperty> optics;
   vtkOpticsVolumeMapper::SetDefaultOptics(optics);
-  Check(vtkOpticsVolumeMapper::GetDefaultOptics() == optics, "default optics are kept");
+  check.That(vtkOpticsVolumeMapper::GetDefaultOptics() == optics, "default optics are kept");
   vtkOpticsVolumeMapper::SetDefaultOptics(nullptr);
-  Check(!vtkOpticsVolumeMapper::GetDefaultOptics(), "default optics are taken back");
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  check.That(!vtkOpticsVolumeMapper::GetDefaultOptics(), "default optics are taken back");
+  return check.ExitCode();
 }

@@ -3,6 +3,8 @@
 
 // Presets: every setting is read, in any order; what is wrong is named once, with the valid choice.
 
+#include "Check.h"
+
 #include "vtkNew.h"
 #include "vtkOpticsPreset.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -19,16 +21,7 @@
 
 namespace
 {
-int Failures = 0;
-
-void Check(bool holds, const std::string& what)
-{
-  if (!holds)
-  {
-    std::cout << "Not so: " << what << "\n";
-    ++Failures;
-  }
-}
+Check check;
 
 struct Result
 {
@@ -58,10 +51,11 @@ Result ReadText(const std::string& fileName, const std::string& text)
 void CheckWarning(const Result& result, const std::string& about, const std::string& valid)
 {
   const std::size_t first = result.Warnings.find("Warning");
-  Check(first != std::string::npos && result.Warnings.find("Warning", first + 1) == std::string::npos,
+  check.That(first != std::string::npos && result.Warnings.find("Warning", first + 1) == std::string::npos,
     "one warning about " + about);
-  Check(result.Warnings.find(about) != std::string::npos, "the warning names " + about);
-  Check(result.Warnings.find(valid) != std::string::npos, "the warning about " + about + " says " + valid);
+  check.That(result.Warnings.find(about) != std::string::npos, "the warning names " + about);
+  check.That(
+    result.Warnings.find(valid) != std::string::npos, "the warning about " + about + " says " + valid);
 }
 }
 
@@ -74,13 +68,13 @@ int TestOpticsPreset(int argc, char* argv[])
   Result all = ReadText(file,
     R"({ "Glossiness": 0.05, "AnisotropyScale": 20, "ReflectanceModel": "Ward", // a comment
          "ScatteringAnisotropy": -0.5, "SpecularFromExtinction": false, "FrameSource": "Curvature" })");
-  Check(all.Warnings.empty() && all.IsRead, "every setting is read: " + all.Warnings);
-  Check(all.Property->GetReflectanceModel() == vtkOpticsVolumeProperty::Ward, "model");
-  Check(all.Property->GetGlossiness() == 0.05, "glossiness");
-  Check(all.Property->GetAnisotropyScale() == 20.0, "anisotropy scale");
-  Check(all.Property->GetScatteringAnisotropy() == -0.5F, "scattering anisotropy");
-  Check(!all.Property->GetSpecularFromExtinction(), "specular from extinction");
-  Check(all.Property->GetFrameSource() == vtkOpticsVolumeProperty::Curvature, "frame source");
+  check.That(all.Warnings.empty() && all.IsRead, "every setting is read: " + all.Warnings);
+  check.That(all.Property->GetReflectanceModel() == vtkOpticsVolumeProperty::Ward, "model");
+  check.That(all.Property->GetGlossiness() == 0.05, "glossiness");
+  check.That(all.Property->GetAnisotropyScale() == 20.0, "anisotropy scale");
+  check.That(all.Property->GetScatteringAnisotropy() == -0.5F, "scattering anisotropy");
+  check.That(!all.Property->GetSpecularFromExtinction(), "specular from extinction");
+  check.That(all.Property->GetFrameSource() == vtkOpticsVolumeProperty::Curvature, "frame source");
 
   CheckWarning(ReadText(file, R"({ "Glosiness": 1 })"), "Glosiness", "ReflectanceModel, Glossiness");
   CheckWarning(ReadText(file, R"({ "ReflectanceModel": "Phong" })"), "ReflectanceModel", "Lafortune");
@@ -94,7 +88,7 @@ int TestOpticsPreset(int argc, char* argv[])
     { ReadText(file, "[1, 2]"), ReadText(file, "{ \"Glossiness\": "), ReadFile(file + ".missing") })
   {
     CheckWarning(broken, "preset", file);
-    Check(!broken.IsRead, "a broken preset is not read");
+    check.That(!broken.IsRead, "a broken preset is not read");
   }
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return check.ExitCode();
 }

@@ -188,7 +188,7 @@ const Case Cases[] = {
 };
 
 // The settings of our property reach the scene.
-void TestSceneFromVTK(Checks& check)
+void TestSceneFromVTK(Check& check)
 {
   Stage stage;
   stage.property->ShadeOn();
@@ -218,7 +218,7 @@ void TestSceneFromVTK(Checks& check)
 
 int TestReferenceAgainstVTK(int, char*[])
 {
-  Checks check;
+  Check check;
   TestSceneFromVTK(check);
   for (const Case& each : Cases)
   {
@@ -234,5 +234,5 @@ int TestReferenceAgainstVTK(int, char*[])
               << 255.0 * difference.maximum << "/255\n";
     check.That(255.0 * difference.rootMeanSquare <= each.largestRootMeanSquare, each.name);
   }
-  return check.AllPassed() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return check.ExitCode();
 }

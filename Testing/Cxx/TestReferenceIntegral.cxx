@@ -25,7 +25,7 @@ bool IsNear(double a, double b, double tolerance)
 
 // Lambert-Beer: alpha = 1 - (1 - a)^(L/D), whatever the step. The series of OneMinusExp() ends at an
 // error of x^3/24 for an optical depth x below 0.01: 4e-8 at most.
-void TestHomogeneousMedium(Checks& check)
+void TestHomogeneousMedium(Check& check)
 {
   Scene scene = MakeScene(std::make_shared<ConstantField>(), 4);
   scene.opacity->AddPoint(0.0, 0.3);
@@ -47,7 +47,7 @@ void TestHomogeneousMedium(Checks& check)
   check.That(IntegrateRay(scene, RayThrough(scene, 2.0, 2.0)).a == 1.0, "opaque stays opaque");
 }
 
-void TestEarlyTermination(Checks& check)
+void TestEarlyTermination(Check& check)
 {
   Scene scene = MakeScene(std::make_shared<ConstantField>(), 4);
   scene.opacity->AddPoint(0.0, 0.9);
@@ -61,7 +61,7 @@ void TestEarlyTermination(Checks& check)
 
 // Opacity a s along a ramp s = 0 to 1 over length 2: tau = 2/D int -ln(1 - a s) ds
 // = 2/D ((1 - a) ln(1 - a) + a)/a. The midpoint rule converges with the square of the step.
-void TestRamp(Checks& check)
+void TestRamp(Check& check)
 {
   Scene scene = MakeScene(std::make_shared<ExactField>(analytic::LinearRampField), 4);
   const double a = 0.8;
@@ -84,7 +84,7 @@ void TestRamp(Checks& check)
 }
 
 // Successive differences fall by 4 as the step is halved.
-void TestMarschnerLobb(Checks& check)
+void TestMarschnerLobb(Check& check)
 {
   Scene scene = MakeScene(std::make_shared<ExactField>(analytic::MarschnerLobbField), 24);
   scene.opacity->AddPoint(0.0, 0.0);
@@ -110,7 +110,7 @@ void TestMarschnerLobb(Checks& check)
 }
 
 // Outside the volume, and the parts of a ray in front of the camera only.
-void TestRays(Checks& check)
+void TestRays(Check& check)
 {
   Scene scene = MakeScene(std::make_shared<ConstantField>(), 4);
   scene.opacity->AddPoint(0.0, 0.3);
@@ -125,7 +125,7 @@ void TestRays(Checks& check)
 }
 
 // The samples of an image: exact on a linear field, also turned, clamped outside.
-void TestGridField(Checks& check)
+void TestGridField(Check& check)
 {
   vtkNew<vtkAnalyticVolumeSource> source;
   source->SetFieldToLinearRamp();
@@ -158,12 +158,12 @@ void TestGridField(Checks& check)
 
 int TestReferenceIntegral(int, char*[])
 {
-  Checks check;
+  Check check;
   TestHomogeneousMedium(check);
   TestEarlyTermination(check);
   TestRamp(check);
   TestMarschnerLobb(check);
   TestRays(check);
   TestGridField(check);
-  return check.AllPassed() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return check.ExitCode();
 }

@@ -33,7 +33,7 @@ void KeepSpecularOnly(Scene& scene)
 }
 
 // The brightest pixel of a glossy sphere lies where N = H.
-void TestHighlightOfSphere(Checks& check)
+void TestHighlightOfSphere(Check& check)
 {
   const int size = 100;
   Scene scene = MakeScene(MakeSphere(), size);
@@ -61,7 +61,7 @@ void TestHighlightOfSphere(Checks& check)
 
 // N points to the lower extinction, however opacity runs with the scalar; both estimates agree with
 // K = D |tau'(s)| |grad s|.
-void TestExtinctionGradient(Checks& check)
+void TestExtinctionGradient(Check& check)
 {
   Scene scene = MakeScene(MakeSphere(), 4);
   scene.grid = Cube(512);
@@ -93,7 +93,7 @@ void TestExtinctionGradient(Checks& check)
 }
 
 // A light behind a surface is reflected if lighting is two-sided only.
-void TestTwoSided(Checks& check)
+void TestTwoSided(Check& check)
 {
   Scene scene = MakeScene(MakeSphere(), 4);
   ShowSurface(scene);
@@ -111,7 +111,7 @@ void TestTwoSided(Checks& check)
 }
 
 // What the phase function alone scatters: c (ka + kd HG).
-void TestPhaseFunction(Checks& check)
+void TestPhaseFunction(Check& check)
 {
   Scene scene = MakeScene(MakeSphere(), 4);
   ShowSurface(scene);
@@ -128,7 +128,7 @@ void TestPhaseFunction(Checks& check)
 }
 
 // Attenuation and cone of a spot light; distances are the world's.
-void TestPositionalLight(Checks& check)
+void TestPositionalLight(Check& check)
 {
   Scene scene = MakeScene(MakeSphere(), 4);
   scene.shade = true;
@@ -157,7 +157,7 @@ void TestPositionalLight(Checks& check)
 }
 
 // The three storages decode to what was encoded, next to the pole and away from it.
-void TestStoredFrames(Checks& check)
+void TestStoredFrames(Check& check)
 {
   for (const Vector& direction : { Vector(0.3, -0.5, 0.8), Vector(0.0, 0.0, 1.0), Vector(0.01, 0.0, -1.0) })
   {
@@ -225,7 +225,7 @@ double Elongation(const Image& image)
 }
 
 // Highlights are drawn out along the major axis, the more the larger gamma is.
-void TestElongation(Checks& check)
+void TestElongation(Check& check)
 {
   auto field = MakeSphere();
   Scene scene = MakeScene(field, 64);
@@ -252,7 +252,7 @@ void TestElongation(Checks& check)
 }
 
 // A picture does not depend on the world's unit of length.
-void TestScaleInvariance(Checks& check)
+void TestScaleInvariance(Check& check)
 {
   Scene scene = MakeScene(MakeSphere(), 16);
   ShowSurface(scene);
@@ -285,7 +285,7 @@ void TestScaleInvariance(Checks& check)
 }
 
 // Every model, at the ends of its ranges: finite, not negative, opacity in [0, 1].
-void TestExtremes(Checks& check)
+void TestExtremes(Check& check)
 {
   auto field = std::make_shared<ExactField>(analytic::VortexTubesField);
   Scene scene = MakeScene(field, 12);
@@ -322,7 +322,7 @@ void TestExtremes(Checks& check)
 
 int TestReferenceShading(int, char*[])
 {
-  Checks check;
+  Check check;
   TestHighlightOfSphere(check);
   TestExtinctionGradient(check);
   TestTwoSided(check);
@@ -332,5 +332,5 @@ int TestReferenceShading(int, char*[])
   TestElongation(check);
   TestScaleInvariance(check);
   TestExtremes(check);
-  return check.AllPassed() ? EXIT_SUCCESS : EXIT_FAILURE;
+  return check.ExitCode();
 }

@@ -3,6 +3,8 @@
 
 // The structural score on synthetic pictures alone: it is fixed here, before it meets a rendering.
 
+#include "Check.h"
+
 #include "AnalyticFields.h"
 #include "vtkStructuralDissimilarity.h"
 
@@ -25,16 +27,7 @@
 
 namespace
 {
-int Failures = 0;
-
-void Check(bool passed, const std::string& what)
-{
-  if (!passed)
-  {
-    std::cerr << "Failed: " << what << "\n";
-    ++Failures;
-  }
-}
+Check check;
 
 using Picture = std::function<double(int, int)>;
 const int Size = 128;
@@ -145,7 +138,7 @@ void TestIdentity()
     {
       auto image = MakeImage(reference.picture, Size, Size, type, 3);
       auto same = MakeImage(reference.picture, Size, Size, type, 3);
-      Check(Score(image, same) == 0.0, std::string("identical pictures score 0: ") + reference.name);
+      check.That(Score(image, same) == 0.0, std::string("identical pictures score 0: ") + reference.name);
     }
   }
 }
@@ -168,7 +161,7 @@ void TestStructureAboveNoise()
           Score(image, MakeImage(Sum(reference.picture, WhiteNoise, strength * equalEnergy)));
         std::cout << reference.name << ", " << count << " streaks of " << strength << ": structure "
                   << structure << ", noise " << noise << "\n";
-        Check(structure > noise, "structure scores above noise of the same energy");
+        check.That(structure > noise, "structure scores above noise of the same energy");
       }
     }
   }
@@ -184,7 +177,7 @@ void TestMonotone()
     {
       const Picture streaks = [](int x, int y) { return Streaks(x, y, 5); };
       const double score = Score(image, MakeImage(Sum(reference.picture, streaks, strength)));
-      Check(score > former, std::string("stronger streaks score higher: ") + reference.name);
+      check.That(score > former, std::string("stronger streaks score higher: ") + reference.name);
       former = score;
     }
     former = 0.0;
@@ -192,7 +185,7 @@ void TestMonotone()
     {
       const Picture streaks = [count](int x, int y) { return Streaks(x, y, count); };
       const double score = Score(image, MakeImage(Sum(reference.picture, streaks, 0.3)));
-      Check(score > former, std::string("more streaks score higher: ") + reference.name);
+      check.That(score > former, std::string("more streaks score higher: ") + reference.name);
       former = score;
     }
   }
@@ -203,14 +196,14 @@ void TestRange()
   auto texture = MakeImage(Texture);
   auto inverse = MakeImage([](int x, int y) { return 0.8 - Texture(x, y); });
   const double score = Score(texture, inverse);
-  Check(score > 0.5 && score <= 1.0, "the inverse scores above one half, at most 1");
+  check.That(score > 0.5 && score <= 1.0, "the inverse scores above one half, at most 1");
   auto brighter = MakeImage([](int x, int y) { return Texture(x, y) + 0.25; });
-  Check(Score(texture, brighter) < 1.0e-9, "brightness is not structure");
+  check.That(Score(texture, brighter) < 1.0e-9, "brightness is not structure");
   auto flat = MakeImage(Flat);
   auto black = MakeImage([](int, int) { return 0.0; });
-  Check(Score(flat, black) < 1.0e-9, "constant pictures have the same structure");
-  Check(Score(flat, texture, 5, 0.0) < 1.0e-5, "without weight a homogeneous reference is blind");
-  Check(Score(flat, texture) > 0.1, "with it, structure in a homogeneous reference counts");
+  check.That(Score(flat, black) < 1.0e-9, "constant pictures have the same structure");
+  check.That(Score(flat, texture, 5, 0.0) < 1.0e-5, "without weight a homogeneous reference is blind");
+  check.That(Score(flat, texture) > 0.1, "with it, structure in a homogeneous reference counts");
 }
 
 void TestSizesAndTypes()
@@ -221,19 +214,19 @@ void TestSizesAndTypes()
     auto a = MakeImage(Texture, size[0], size[1]);
     auto b = MakeImage(ShadedBall, size[0], size[1]);
     const double score = Score(a, b);
-    Check(score >= 0.0 && score <= 1.0, "any size gives a score in [0, 1]");
-    Check(Score(a, a) == 0.0, "identical pictures of any size");
+    check.That(score >= 0.0 && score <= 1.0, "any size gives a score in [0, 1]");
+    check.That(Score(a, a) == 0.0, "identical pictures of any size");
   }
   auto gray = MakeImage(Texture);
   const double expected = Score(gray, MakeImage(ShadedBall));
   for (int components : { 2, 3, 4 })
   {
     const double score = Score(gray, MakeImage(ShadedBall, Size, Size, VTK_UNSIGNED_CHAR, components));
-    Check(std::abs(score - expected) < 5.0e-3, "components and types agree to their quantisation");
+    check.That(std::abs(score - expected) < 5.0e-3, "components and types agree to their quantisation");
   }
   auto broken = MakeImage(Texture);
   broken->SetScalarComponentFromDouble(7, 7, 0, 0, std::numeric_limits<double>::quiet_NaN());
-  Check(std::isfinite(Score(gray, broken)), "a value that is not a number does not spread");
+  check.That(std::isfinite(Score(gray, broken)), "a value that is not a number does not spread");
 }
 
 void TestMap()
@@ -244,10 +237,10 @@ void TestMap()
     MakeImage([](int x, int y) { return 0.4 + (x > 90 ? 0.2 * WhiteNoise(x, y) : 0.0); }));
   measure->Update();
   vtkImageData* map = measure->GetOutput();
-  Check(map->GetDimensions()[0] == Size && map->GetDimensions()[1] == Size, "a map of the same size");
+  check.That(map->GetDimensions()[0] == Size && map->GetDimensions()[1] == Size, "a map of the same size");
   const double far = map->GetScalarComponentAsDouble(5, 60, 0, 0);
   const double near = map->GetScalarComponentAsDouble(115, 60, 0, 0);
-  Check(near > 0.05 && far < 0.01 * near, "the map shows where something was added");
+  check.That(near > 0.05 && far < 0.01 * near, "the map shows where something was added");
 }
 
 void Count(vtkObject*, unsigned long, void* count, void*)
@@ -268,7 +261,7 @@ void TestErrors()
   measure->SetReferenceData(MakeImage(Flat, 8, 8));
   measure->SetPictureData(MakeImage(Flat, 8, 9));
   measure->Update();
-  Check(errors > 0 && measure->GetScore() == -1.0, "pictures of different size are an error");
+  check.That(errors > 0 && measure->GetScore() == -1.0, "pictures of different size are an error");
 }
 
 void TestProgress()
@@ -282,7 +275,7 @@ void TestProgress()
   measure->SetReferenceData(MakeImage(Ramp));
   measure->SetPictureData(MakeImage(Texture));
   measure->Update();
-  Check(events >= 20, "progress is told");
+  check.That(events >= 20, "progress is told");
 }
 }
 
@@ -296,5 +289,5 @@ int TestStructuralDissimilarity(int, char*[])
   TestMap();
   TestErrors();
   TestProgress();
-  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return check.ExitCode();
 }
