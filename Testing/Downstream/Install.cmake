@@ -24,6 +24,10 @@ run("${CMAKE_COMMAND}" -S "${source}" -B "${work}/build" -G "${generator}"
   "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_BUILD_TYPE=Release" "-DCMAKE_CXX_FLAGS=${flags}")
 run("${CMAKE_COMMAND}" --build "${work}/build")
 run("${work}/build/downstream")
+run("${CMAKE_COMMAND}" -E chdir "${work}" "${work}/build/example/render_ellipsoid")
+if (NOT EXISTS "${work}/ellipsoid.png")
+  message(FATAL_ERROR "The example in Examples/cxx wrote no picture.")
+endif ()
 
 include("${work}/build/paths.cmake")
 set(ENV{VOLUMEOPTICS_HEADLESS} 1)
