@@ -24,16 +24,23 @@ int main()
   mapper->SetInputConnection(source->GetOutputPort());
   mapper->SetQualityToBalanced();
 
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.45, 0.0);
+  opacity->AddPoint(0.55, 0.9);
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(0.5, 0.45, 0.6, 0.72);
+
   vtkNew<vtkOpticsVolumeProperty> property;
-  property->GetScalarOpacity()->AddPoint(0.45, 0.0);
-  property->GetScalarOpacity()->AddPoint(0.55, 0.9);
+  property->SetScalarOpacity(opacity);
   property->SetScalarOpacityUnitDistance(0.05);
-  property->GetRGBTransferFunction()->AddRGBPoint(0.5, 0.45, 0.6, 0.72);
+  property->SetColor(color);
   property->SetInterpolationTypeToLinear();
   property->ShadeOn();
   property->SetReflectanceModelToWard();
+  property->SetFrameSourceToCurvature(); // Covariance, the default, is for structures
+  property->SetAnisotropyScale(1.0);
   property->SetGlossiness(0.2);
-  property->SetSpecular(0.4);
+  property->SetSpecular(0.6);
 
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
@@ -41,7 +48,9 @@ int main()
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
   renderer->GetActiveCamera()->SetPosition(1.0, -3.0, 0.8);
+  renderer->GetActiveCamera()->SetFocalPoint(0.0, 0.0, 0.0);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
+  renderer->ResetCameraClippingRange();
   vtkNew<vtkHeadlessRenderWindow> window;
   window->AddRenderer(renderer);
   window->SetSize(400, 400);
