@@ -3,6 +3,8 @@
 
 #include "vtkAmbientCovarianceFilter.h"
 
+#include "ParameterRange.h"
+
 #include "Batches.h"
 #include "CovarianceField.h"
 #include "RangeSearch.h"
@@ -66,23 +68,13 @@ void vtkAmbientCovarianceFilter::SetNormalsData(vtkImageData* normals)
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetRadius(double radius)
 {
-  const double value = this->WithinRange("Radius", radius, 0.5, 256.0, this->Radius);
-  if (value != this->Radius)
-  {
-    this->Radius = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "Radius", radius, 0.5, 256.0, this->Radius);
 }
 
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetScalarTolerance(double tolerance)
 {
-  const double value = this->WithinRange("ScalarTolerance", tolerance, 0.0, 1.0, this->ScalarTolerance);
-  if (value != this->ScalarTolerance)
-  {
-    this->ScalarTolerance = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "ScalarTolerance", tolerance, 0.0, 1.0, this->ScalarTolerance);
 }
 
 //------------------------------------------------------------------------------
@@ -105,30 +97,13 @@ void vtkAmbientCovarianceFilter::SetScalarRange(double least, double largest)
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetNumberOfSamples(int number)
 {
-  const int value =
-    static_cast<int>(this->WithinRange("NumberOfSamples", number, 3, 65536, this->NumberOfSamples));
-  if (value != this->NumberOfSamples)
-  {
-    this->NumberOfSamples = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "NumberOfSamples", number, 3, 65536, this->NumberOfSamples);
 }
 
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetSamplingPattern(int pattern)
 {
-  if (pattern < Shared || pattern > Exhaustive)
-  {
-    vtkWarningMacro(<< "SamplingPattern " << pattern
-                    << " is none of Shared (0), PerBlock (1), PerVoxel (2), Exhaustive (3); it stays "
-                    << this->GetSamplingPatternAsString() << ".");
-    return;
-  }
-  if (pattern != this->SamplingPattern)
-  {
-    this->SamplingPattern = pattern;
-    this->Modified();
-  }
+  volumeoptics::SetChoice(this, "SamplingPattern", pattern, SamplingPatternNames, this->SamplingPattern);
 }
 
 //------------------------------------------------------------------------------
@@ -140,18 +115,8 @@ const char* vtkAmbientCovarianceFilter::GetSamplingPatternAsString()
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetSampleInterpolation(int interpolation)
 {
-  if (interpolation != Nearest && interpolation != Linear)
-  {
-    vtkWarningMacro(<< "SampleInterpolation " << interpolation
-                    << " is none of Nearest (0), Linear (1); it stays "
-                    << this->GetSampleInterpolationAsString() << ".");
-    return;
-  }
-  if (interpolation != this->SampleInterpolation)
-  {
-    this->SampleInterpolation = interpolation;
-    this->Modified();
-  }
+  volumeoptics::SetChoice(
+    this, "SampleInterpolation", interpolation, SampleInterpolationNames, this->SampleInterpolation);
 }
 
 //------------------------------------------------------------------------------
@@ -163,13 +128,8 @@ const char* vtkAmbientCovarianceFilter::GetSampleInterpolationAsString()
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetFilterStandardDeviation(double standardDeviation)
 {
-  const double value = this->WithinRange(
-    "FilterStandardDeviation", standardDeviation, 0.0, 100.0, this->FilterStandardDeviation);
-  if (value != this->FilterStandardDeviation)
-  {
-    this->FilterStandardDeviation = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(
+    this, "FilterStandardDeviation", standardDeviation, 0.0, 100.0, this->FilterStandardDeviation);
 }
 
 //------------------------------------------------------------------------------

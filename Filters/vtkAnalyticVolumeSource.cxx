@@ -3,6 +3,7 @@
 
 #include "vtkAnalyticVolumeSource.h"
 
+#include "ParameterRange.h"
 #include "AnalyticFields.h"
 
 #include "vtkDataArray.h"
@@ -86,17 +87,7 @@ vtkAnalyticVolumeSource::vtkAnalyticVolumeSource()
 //------------------------------------------------------------------------------
 void vtkAnalyticVolumeSource::SetField(int field)
 {
-  if (field < 0 || field >= NumberOfFields)
-  {
-    vtkWarningMacro(<< "Field " << field << " is outside [0, " << NumberOfFields - 1 << "]; it stays "
-                    << this->GetFieldAsString() << ".");
-    return;
-  }
-  if (field != this->Field)
-  {
-    this->Field = field;
-    this->Modified();
-  }
+  volumeoptics::SetChoice(this, "Field", field, FieldNames, this->Field);
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include "vtkAnisotropyFilter.h"
 
+#include "ParameterRange.h"
 #include "AnisotropyCode.h"
 #include "Batches.h"
 
@@ -18,17 +19,7 @@ const char* const StorageNames[] = { "Map", "Components", "World" };
 //------------------------------------------------------------------------------
 void vtkAnisotropyFilter::SetStorage(int storage)
 {
-  if (storage < Map || storage > World)
-  {
-    vtkWarningMacro(<< "Storage " << storage << " is none of Map (0), Components (1), World (2); it stays "
-                    << this->GetStorageAsString() << ".");
-    return;
-  }
-  if (storage != this->Storage)
-  {
-    this->Storage = storage;
-    this->Modified();
-  }
+  volumeoptics::SetChoice(this, "Storage", storage, StorageNames, this->Storage);
 }
 
 //------------------------------------------------------------------------------

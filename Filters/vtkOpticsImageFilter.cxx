@@ -3,6 +3,8 @@
 
 #include "vtkOpticsImageFilter.h"
 
+#include "ParameterRange.h"
+
 #include "Batches.h"
 #include "GaussianFilter.h"
 #include "ScalarSource.h"
@@ -41,72 +43,27 @@ void SetGeometry(const ImageGrid& grid, vtkInformation* input, vtkInformation* o
 }
 
 //------------------------------------------------------------------------------
-double vtkOpticsImageFilter::WithinRange(
-  const char* name, double value, double least, double largest, double current)
-{
-  if (std::isnan(value))
-  {
-    vtkWarningMacro(<< name << " is not a number; it stays " << current << ". Its range is [" << least << ", "
-                    << largest << "].");
-    return current;
-  }
-  const double nearest = std::clamp(value, least, largest);
-  if (nearest != value)
-  {
-    vtkWarningMacro(<< name << " " << value << " is outside its range [" << least << ", " << largest
-                    << "]; it is set to " << nearest << ".");
-  }
-  return nearest;
-}
-
-//------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetResolutionFactor(double factor)
 {
-  const double value = this->WithinRange("ResolutionFactor", factor, 0.01, 1.0, this->ResolutionFactor);
-  if (value != this->ResolutionFactor)
-  {
-    this->ResolutionFactor = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "ResolutionFactor", factor, 0.01, 1.0, this->ResolutionFactor);
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetSmoothing(double standardDeviation)
 {
-  const double value = this->WithinRange("Smoothing", standardDeviation, 0.0, 100.0, this->Smoothing);
-  if (value != this->Smoothing)
-  {
-    this->Smoothing = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "Smoothing", standardDeviation, 0.0, 100.0, this->Smoothing);
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetInputComponent(int component)
 {
-  const int value =
-    static_cast<int>(this->WithinRange("InputComponent", component, 0, VTK_INT_MAX, this->InputComponent));
-  if (value != this->InputComponent)
-  {
-    this->InputComponent = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "InputComponent", component, 0, VTK_INT_MAX, this->InputComponent);
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetOutputPrecision(int bits)
 {
-  if (bits != 8 && bits != 16 && bits != 32)
-  {
-    vtkWarningMacro(<< "OutputPrecision " << bits << " is none of 8, 16, 32 bits; it stays "
-                    << this->OutputPrecision << ".");
-    return;
-  }
-  if (bits != this->OutputPrecision)
-  {
-    this->OutputPrecision = bits;
-    this->Modified();
-  }
+  volumeoptics::SetPrecision(this, "OutputPrecision", bits, this->OutputPrecision);
 }
 
 //------------------------------------------------------------------------------

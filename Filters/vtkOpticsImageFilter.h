@@ -121,11 +121,6 @@ protected:
    */
   static float* AddArray(vtkImageData* output, const char* name, int components);
 
-  /**
-   * The nearest value of the range, with a warning if that is not the value; `current` for NaN.
-   */
-  double WithinRange(const char* name, double value, double least, double largest, double current);
-
   double ResolutionFactor = 1.0;
   double Smoothing = 0.0;
   int InputComponent = 0;

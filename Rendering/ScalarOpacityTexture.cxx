@@ -33,7 +33,7 @@ void ScalarOpacityTexture::Update(
   opacity->GetTable(range[0], range[1], width, table.data());
   this->Texture = vtkSmartPointer<vtkTextureObject>::New();
   this->Texture->SetContext(window);
-  this->Texture->Create2DFromRaw(width, 1, 1, VTK_FLOAT, table.data());
+  this->Texture->Create1DFromRaw(width, 1, VTK_FLOAT, table.data());
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Texture->SetMinificationFilter(vtkTextureObject::Linear);

@@ -3,6 +3,7 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
+#include "ParameterRange.h"
 #include "DefaultOptics.h"
 #include "LightUniforms.h"
 #include "OpticsFactory.h"
@@ -59,7 +60,7 @@ struct Preset
   double FilterStandardDeviation; // voxels
 };
 const Preset Presets[] = { {}, { 1.0, 0.5, 8, 100, 1.0 }, { 0.5, 1.0, 8, 300, 1.0 },
-  { 0.25, 1.0, 16, 1000, 1.0 } };
+  { 0.25, 1.0, 16, 4096, 0.0 } };
 
 // Opacity depends on the first component, or on the last one where the components belong together.
 int OpacityComponent(vtkDataArray* scalars, vtkVolumeProperty* property)
@@ -248,17 +249,7 @@ vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter(
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
 {
-  if (bits != 8 && bits != 16 && bits != 32)
-  {
-    vtkWarningMacro(<< "FramePrecision " << bits << " is none of 8, 16, 32; it stays " << this->FramePrecision
-                    << ".");
-    return;
-  }
-  if (bits != this->FramePrecision)
-  {
-    this->FramePrecision = bits;
-    this->Modified();
-  }
+  volumeoptics::SetPrecision(this, "FramePrecision", bits, this->FramePrecision);
 }
 
 //------------------------------------------------------------------------------

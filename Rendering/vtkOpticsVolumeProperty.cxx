@@ -3,6 +3,8 @@
 
 #include "vtkOpticsVolumeProperty.h"
 
+#include "ParameterRange.h"
+
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -27,39 +29,9 @@ bool HasAnisotropyScale(int model)
 }
 
 //------------------------------------------------------------------------------
-double vtkOpticsVolumeProperty::WithinRange(
-  const char* name, double value, double least, double largest, double current)
-{
-  if (std::isnan(value))
-  {
-    vtkWarningMacro(<< name << " is not a number; it stays " << current << ". Its range is [" << least << ", "
-                    << largest << "].");
-    return current;
-  }
-  const double nearest = std::clamp(value, least, largest);
-  if (nearest != value)
-  {
-    vtkWarningMacro(<< name << " " << value << " is outside its range [" << least << ", " << largest
-                    << "]; it is set to " << nearest << ".");
-  }
-  return nearest;
-}
-
-//------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::SetReflectanceModel(int model)
 {
-  if (model < VTK || model >= NumberOfReflectanceModels)
-  {
-    vtkWarningMacro(<< "Reflectance model " << model
-                    << " is none of VTK (0), None (1), BlinnPhong (2), Ward (3), Lafortune (4); it stays "
-                    << this->GetReflectanceModelAsString() << ".");
-    return;
-  }
-  if (model != this->ReflectanceModel)
-  {
-    this->ReflectanceModel = model;
-    this->Modified();
-  }
+  volumeoptics::SetChoice(this, "ReflectanceModel", model, ReflectanceModelNames, this->ReflectanceModel);
 }
 
 //------------------------------------------------------------------------------
@@ -78,13 +50,8 @@ void vtkOpticsVolumeProperty::SetGlossiness(int model, double glossiness)
     return;
   }
   const bool isRoughness = model == Ward;
-  const double value = this->WithinRange("Glossiness", glossiness, isRoughness ? 1.0e-4 : 0.01,
+  volumeoptics::SetWithinRange(this, "Glossiness", glossiness, isRoughness ? 1.0e-4 : 0.01,
     isRoughness ? 1.0 : 1.0e5, this->Glossiness[model]);
-  if (value != this->Glossiness[model])
-  {
-    this->Glossiness[model] = value;
-    this->Modified();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -102,12 +69,7 @@ void vtkOpticsVolumeProperty::SetAnisotropyScale(int model, double scale)
                     << " has none. Choose Ward or Lafortune first, or name one of them.");
     return;
   }
-  const double value = this->WithinRange("AnisotropyScale", scale, 0.0, 1.0e4, this->AnisotropyScale[model]);
-  if (value != this->AnisotropyScale[model])
-  {
-    this->AnisotropyScale[model] = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "AnisotropyScale", scale, 0.0, 1.0e4, this->AnisotropyScale[model]);
 }
 
 //------------------------------------------------------------------------------
@@ -119,17 +81,7 @@ double vtkOpticsVolumeProperty::GetAnisotropyScale(int model)
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::SetFrameSource(int source)
 {
-  if (source != Covariance && source != Curvature)
-  {
-    vtkWarningMacro(<< "Frame source " << source << " is none of Covariance (0), Curvature (1); it stays "
-                    << this->GetFrameSourceAsString() << ".");
-    return;
-  }
-  if (source != this->FrameSource)
-  {
-    this->FrameSource = source;
-    this->Modified();
-  }
+  volumeoptics::SetChoice(this, "FrameSource", source, FrameSourceNames, this->FrameSource);
 }
 
 //------------------------------------------------------------------------------
@@ -141,13 +93,7 @@ const char* vtkOpticsVolumeProperty::GetFrameSourceAsString()
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::SetScatteringAnisotropy(float anisotropy)
 {
-  const float value = static_cast<float>(
-    this->WithinRange("ScatteringAnisotropy", anisotropy, -1.0, 1.0, this->PhaseAnisotropy));
-  if (value != this->PhaseAnisotropy)
-  {
-    this->PhaseAnisotropy = value;
-    this->Modified();
-  }
+  volumeoptics::SetWithinRange(this, "ScatteringAnisotropy", anisotropy, -1.0, 1.0, this->PhaseAnisotropy);
 }
 
 //------------------------------------------------------------------------------

@@ -140,8 +140,6 @@ private:
   vtkOpticsVolumeProperty(const vtkOpticsVolumeProperty&) = delete;
   void operator=(const vtkOpticsVolumeProperty&) = delete;
 
-  double WithinRange(const char* name, double value, double least, double largest, double current);
-
   int ReflectanceModel = VTK;
   double Glossiness[NumberOfReflectanceModels] = { 0.0, 0.0, 30.0, 0.2, 30.0 };
   double AnisotropyScale[NumberOfReflectanceModels] = { 0.0, 0.0, 0.0, 10.0, 10.0 };

@@ -6,6 +6,7 @@
 #include "Commands.h"
 #include "TradeCovariance.h"
 #include "TradeShading.h"
+#include "TradeTable.h"
 
 #include <memory>
 
@@ -35,8 +36,9 @@ void AddShading(CLI::App& trade)
 {
   const auto options = std::make_shared<ShadingTradeOptions>();
   CLI::App* command = trade.add_subcommand("shading",
-    "Frames: RMSE and maximum against the double-precision ray caster, by step length, bits, grid factor and "
-    "extinction gradient (CSV and SVG)");
+    "Frames: RMSE and maximum against the double-precision ray caster, by step length, bits, storage, "
+    "samples, "
+    "grid factor and extinction gradient (CSV and SVG)");
   command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
   command->add_option("--field", options->Field, "Synthetic field")
     ->check(CLI::IsMember({ "marschner-lobb", "ellipsoid", "cylinder", "packed", "tubes" }))
@@ -50,6 +52,24 @@ void AddShading(CLI::App& trade)
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
   command->callback([options] { TradeShading(*options); });
 }
+
+void AddTable(CLI::App& trade)
+{
+  const auto options = std::make_shared<TableOptions>();
+  CLI::App* command = trade.add_subcommand("table",
+    "Normals, covariance and frames of every model: time, memory and frames per second, with early ray "
+    "termination (CSV)");
+  command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
+  command->add_option("--cranium", options->Cranium, "Cranium.inv3, to have the cranium in the table");
+  command->add_option("--size", options->Size, "Width and height of the frames")
+    ->check(CLI::Range(16, 4096))
+    ->capture_default_str();
+  command->add_option("--frames", options->Frames, "Frames of each model, of which the median is taken")
+    ->check(CLI::Range(1, 100))
+    ->capture_default_str();
+  command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->callback([options] { TradeTable(*options); });
+}
 }
 
 void AddTradeCommand(CLI::App& program)
@@ -58,4 +78,5 @@ void AddTradeCommand(CLI::App& program)
   trade->require_subcommand(1);
   AddCovariance(*trade);
   AddShading(*trade);
+  AddTable(*trade);
 }

@@ -23,6 +23,7 @@
 
 namespace
 {
+// Beside the knob that is turned, everything is at its finest: exhaustive samples, floats, half a voxel.
 struct Setting
 {
   std::string Knob, Value;
@@ -30,7 +31,26 @@ struct Setting
   int Precision = 32;
   double ResolutionFactor = 1.0;
   bool CentralDifferences = false;
+  int Storage = vtkAmbientCovarianceFilter::Map;
+  int Samples = 0; // 0: exhaustive
 };
+
+void AddStorages(std::vector<Setting>& settings)
+{
+  const std::pair<const char*, int> storages[] = { { "map", vtkAmbientCovarianceFilter::Map },
+    { "components", vtkAmbientCovarianceFilter::Components },
+    { "world", vtkAmbientCovarianceFilter::World } };
+  for (const auto& [name, storage] : storages)
+  {
+    for (const int bits : { 8, 32 })
+    {
+      Setting setting{ "storage", std::string(name) + " " + std::to_string(bits) };
+      setting.Precision = bits;
+      setting.Storage = storage;
+      settings.push_back(setting);
+    }
+  }
+}
 
 std::vector<Setting> Settings()
 {
@@ -49,6 +69,13 @@ std::vector<Setting> Settings()
   }
   settings.push_back({ "extinction gradient", "stored", 0.5, 32, 1.0, false });
   settings.push_back({ "extinction gradient", "central", 0.5, 32, 1.0, true });
+  AddStorages(settings);
+  for (const char* samples : { "30", "100", "300", "1000" })
+  {
+    Setting setting{ "samples", samples };
+    setting.Samples = std::stoi(samples);
+    settings.push_back(setting);
+  }
   return settings;
 }
 
@@ -66,7 +93,8 @@ PictureSettings Picture(const ShadingTradeOptions& options)
   return picture;
 }
 
-// The scene as it stands, with frames on the full grid in float and a fine step.
+// The scene as it stands, with frames of the exhaustive ball on the full grid and a fine step. The frames
+// are those of the world tensor, which has neither a pole nor a sign.
 reference::Image Truth(VolumeScene& scene, vtkImageData* image, const PictureSettings& picture)
 {
   vtkNew<vtkSobelNormalFilter> normals;
@@ -75,7 +103,8 @@ reference::Image Truth(VolumeScene& scene, vtkImageData* image, const PictureSet
   vtkNew<vtkAmbientCovarianceFilter> covariance;
   covariance->SetInputData(image);
   covariance->SetRadius(picture.Ambient.Radius);
-  covariance->SetNumberOfSamples(picture.Ambient.Samples);
+  covariance->SetSamplingPatternToExhaustive();
+  covariance->SetStorageToWorld();
   covariance->SetScalarTolerance(picture.Ambient.Tolerance);
   covariance->Update();
   auto* volume = vtkVolume::SafeDownCast(scene.GetRenderer()->GetVolumes()->GetItemAsObject(0));
@@ -83,7 +112,7 @@ reference::Image Truth(VolumeScene& scene, vtkImageData* image, const PictureSet
     reference::SceneFromVTK(scene.GetRenderer(), volume, picture.Size[0], picture.Size[1]);
   exact.frames =
     std::make_shared<reference::GridFrameField>(vtkImageData::SafeDownCast(normals->GetOutputDataObject(0)),
-      vtkImageData::SafeDownCast(covariance->GetOutputDataObject(0)));
+      vtkImageData::SafeDownCast(covariance->GetOutputDataObject(0)), reference::Storage::World);
   exact.step = 1.0 / 16.0;
   return reference::Render(exact);
 }
@@ -119,6 +148,9 @@ void TradeShading(const ShadingTradeOptions& options)
     picture.Step = setting.Step;
     picture.Ambient.Precision = setting.Precision;
     picture.Ambient.ResolutionFactor = setting.ResolutionFactor;
+    picture.Ambient.Pattern = setting.Samples > 0 ? "shared" : "exhaustive";
+    picture.Ambient.Samples = setting.Samples > 0 ? setting.Samples : 100;
+    scene.GetMapper()->GetAmbientCovarianceFilter()->SetStorage(setting.Storage);
     scene.GetMapper()->SetExtinctionGradient(
       setting.CentralDifferences ? vtkOpticsVolumeMapper::CentralDifferences : vtkOpticsVolumeMapper::Stored);
     scene.Apply(picture);

@@ -3,11 +3,11 @@
 
 // Place ComputeLighting::Dec. Opacity per ScalarOpacityUnitDistance, before any correction for the step.
 
-uniform sampler2D in_opticsOpacityTable;
+uniform sampler1D in_opticsOpacityTable;
 uniform vec2 in_opticsOpacityTableCode; // scale and bias to the centres of the first and last texel
 uniform vec4 in_opticsOpacityChannel;   // selects the component that opacity depends on
 
 float opticsTableOpacity(float scalar)
 {
-  return texture(in_opticsOpacityTable, vec2(scalar * in_opticsOpacityTableCode.x + in_opticsOpacityTableCode.y, 0.5)).r;
+  return texture(in_opticsOpacityTable, scalar * in_opticsOpacityTableCode.x + in_opticsOpacityTableCode.y).r;
 }
