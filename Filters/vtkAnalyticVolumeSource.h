@@ -9,6 +9,9 @@
  * [-1, 1]^3. In float and double scalars are in [0, 1] (LinearRamp on beyond, where Bounds are wider);
  * integers take this range to [0, m], m the type's largest value or 65535, rounded and clamped.
  *
+ * A number outside its range is set to the nearest one of the range; a field that does not exist leaves
+ * the former one, with a warning.
+ *
  * Streams by extent (any two pieces agree where they overlap), threaded by vtkSMPTools. The exact
  * gradients are in AnalyticFields.h.
  */
@@ -76,7 +79,8 @@ public:
   ///@{
   /**
    * Where the first and the last point of each axis lie. Along an axis with one point, that point lies
-   * in the middle. Default [-1, 1]^3.
+   * in the middle, in world units. Default [-1, 1]^3. SetBoundsToPackedEllipsoids() takes the window of
+   * [Ament2015] figure 5, 500 x 184 x 1024 units of its length with the longest side from -1 to 1.
    */
   vtkGetVector6Macro(Bounds, double);
   vtkSetVector6Macro(Bounds, double);

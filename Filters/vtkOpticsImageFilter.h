@@ -15,8 +15,9 @@
  * bit for bit parts of the whole. They run on all threads (vtkSMPTools), report progress from the
  * calling thread and look for AbortExecute about every 30 ms; an aborted filter has an empty output.
  *
- * A value outside its range is set to the nearest one of the range, with a warning. An image
- * without the array gives an error and an empty output.
+ * A number outside its range is set to the nearest one of the range, with a warning; a choice that does
+ * not exist leaves the former one, with a warning. An image without the array gives an error and an
+ * empty output.
  */
 
 #ifndef vtkOpticsImageFilter_h

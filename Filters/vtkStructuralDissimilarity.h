@@ -30,7 +30,8 @@
  * Inputs, of equal size and one slice: port 0 the reference, port 1 the picture. One component is
  * luminance, two luminance and alpha, three and four RGB and RGBA; alpha is ignored. Integers are
  * divided by their type's largest value, floating point is taken as it is; values that are not finite
- * count as 0.
+ * count as 0. Pictures of different size, of several slices or without point scalars are an error, and
+ * the score is -1.
  */
 
 #ifndef vtkStructuralDissimilarity_h
@@ -58,7 +59,7 @@ public:
 
   ///@{
   /**
-   * Number of dyadic scales, in [1, 5]. Default 5. A small picture has fewer: none is computed beyond
+   * Number of dyadic scales, in [1, 5], clamped to it. Default 5. A small picture has fewer: none is computed beyond
    * the one of a single pixel, and the weights are renormalised. With one scale noise is not told from
    * structure.
    */
@@ -68,7 +69,7 @@ public:
 
   ///@{
   /**
-   * How much the homogeneity of the reference counts, in [0, 1]. 0: the structure term alone. Default
+   * How much the homogeneity of the reference counts, in [0, 1], clamped to it. 0: the structure term alone. Default
    * 1.
    */
   vtkGetMacro(HomogeneityWeight, double);

@@ -26,6 +26,7 @@ struct Setting
 
 bool SetReflectanceModel(Property* property, const Json::Value& value)
 {
+  const int current = property->GetReflectanceModel();
   for (int model = 0; value.isString() && model < Property::NumberOfReflectanceModels; ++model)
   {
     property->SetReflectanceModel(model);
@@ -34,7 +35,7 @@ bool SetReflectanceModel(Property* property, const Json::Value& value)
       return true;
     }
   }
-  property->SetReflectanceModelToVTK();
+  property->SetReflectanceModel(current);
   return false;
 }
 

@@ -11,7 +11,8 @@
  * @endcode
  * Glossiness and AnisotropyScale are those of the file's reflectance model, wherever in the file it
  * stands. Comments are allowed. A key or value that is not understood is left out with a warning
- * that names the valid ones.
+ * that names the valid ones; a number outside its range becomes the nearest one of the range, as
+ * vtkOpticsVolumeProperty does it.
  */
 
 #ifndef vtkOpticsPreset_h

@@ -18,6 +18,10 @@
  * EndEvent around it. While the user interacts, it is content with a coarse estimate; aborting the
  * render aborts it.
  *
+ * A number outside its range is set to the nearest one of the range.
+ *
+ * Source: [Ament2015], see Module/References.md.
+ *
  * @sa vtkOpticsVolumeProperty
  */
 
@@ -84,7 +88,8 @@ public:
   ///@{
   /**
    * Tangent frames computed elsewhere: an image with a float point array "AmbientCovariance" on the
-   * grid of the normals. Default none.
+   * grid of the normals. Default none. Where connected normals or frames are not as said here, the
+   * mapper warns once and computes both itself.
    */
   void SetAnisotropyInputConnection(vtkAlgorithmOutput* output);
   void SetAnisotropyInputData(vtkImageData* anisotropy);
@@ -112,7 +117,8 @@ public:
 
   ///@{
   /**
-   * Bits of each number of the normals and frames on the GPU: 8, 16 or 32 (float). Default 8.
+   * Bits of each number of the normals and frames on the GPU: 8, 16 or 32 (float). Default 8. Other
+   * numbers are refused with a warning.
    */
   vtkGetMacro(FramePrecision, int);
   void SetFramePrecision(int bits);
@@ -142,7 +148,8 @@ public:
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
    * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
-   * are 1, 1/2 and 1/4 of the smallest spacing, twice as long while the user interacts.
+   * are 1, 1/2 and 1/4 of the image's smallest spacing, twice as long while the user interacts; a scale
+   * by the volume's matrix does not count.
    */
   enum QualityType
   {

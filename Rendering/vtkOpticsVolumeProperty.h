@@ -13,7 +13,8 @@
  * where S_l is the model's reflectance times the cosine of the light's angle and K the specular
  * coefficient (see SetSpecularFromExtinction()). SpecularPower belongs to the VTK model alone.
  *
- * A value outside its range is set to the nearest one of the range, with a warning.
+ * A number outside its range is set to the nearest one of the range, with a warning; a choice that
+ * does not exist, or a number that is NaN, leaves the setting as it is, with a warning.
  *
  * Source: [Ament2015], see Module/References.md.
  *
@@ -68,7 +69,8 @@ public:
   /**
    * Size of the highlight, kept per model. Blinn-Phong, Lafortune: the exponent, in [0.01, 1e5],
    * larger is smaller and sharper; default 30. Ward: the roughness kappa, in [1e-4, 1], smaller is
-   * sharper; default 0.2. Without a model named, that of the current one. VTK and None have none.
+   * sharper; default 0.2. Without a model named, that of the current one. VTK and None have none:
+   * setting theirs warns, theirs is 0.
    * [Ament2015] kappa of section 4.2.
    */
   void SetGlossiness(int model, double glossiness);
@@ -122,7 +124,8 @@ public:
   ///@{
   /**
    * Mean cosine g of the Henyey-Greenstein phase function of the diffuse term, in [-1, 1]: above 0
-   * scatters forward, below 0 back to the light. Default 0, isotropic. Not used by the VTK model
+   * scatters forward, below 0 back to the light; drawn as .999 and -.999 beyond these. Default 0,
+   * isotropic. [HenyeyGreenstein1941]; [Ament2015] eq. 4. Not used by the VTK model
    * (VTK 9.2 and later use it there for their own scattering).
    */
   void SetScatteringAnisotropy(float anisotropy);

@@ -56,11 +56,11 @@ void AddAmbient(CLI::App& command, AmbientSettings& ambient)
 {
   const auto group = "Ambient region (Ward, Lafortune)";
   command.add_option("--radius", ambient.Radius, "Radius in voxels")
-    ->check(CLI::Range(0.5, 1000.0))
+    ->check(CLI::Range(0.5, 256.0))
     ->capture_default_str()
     ->group(group);
   command.add_option("--samples", ambient.Samples, "Samples per voxel")
-    ->check(CLI::Range(3, 1000000))
+    ->check(CLI::Range(3, 65536))
     ->capture_default_str()
     ->group(group);
   command
@@ -72,7 +72,7 @@ void AddAmbient(CLI::App& command, AmbientSettings& ambient)
   command
     .add_option("--filter", ambient.FilterStandardDeviation,
       "Standard deviation of a Gaussian filter of the covariance, in voxels")
-    ->check(CLI::Range(0.0, 50.0))
+    ->check(CLI::Range(0.0, 100.0))
     ->capture_default_str()
     ->group(group);
   command
@@ -84,7 +84,7 @@ void AddAmbient(CLI::App& command, AmbientSettings& ambient)
   command
     .add_option("--resolution-factor", ambient.ResolutionFactor,
       "Resolution of normals and covariance relative to the data")
-    ->check(CLI::Range(0.05, 1.0))
+    ->check(CLI::Range(0.0625, 1.0))
     ->capture_default_str()
     ->group(group);
   command.add_option("--precision", ambient.Precision, "Bits per stored number")

@@ -30,12 +30,14 @@ struct Result
   std::string Warnings;
 };
 
-Result ReadFile(const std::string& fileName)
+// modelBefore: of the property that is read into
+Result ReadFile(const std::string& fileName, int modelBefore = vtkOpticsVolumeProperty::VTK)
 {
   vtkSmartPointer<vtkOutputWindow> usual = vtkOutputWindow::GetInstance();
   vtkNew<vtkStringOutputWindow> captured;
   vtkOutputWindow::SetInstance(captured);
   Result result;
+  result.Property->SetReflectanceModel(modelBefore);
   result.IsRead = vtkOpticsPreset::Read(fileName.c_str(), result.Property);
   vtkOutputWindow::SetInstance(usual);
   result.Warnings = captured->GetOutput();
@@ -83,6 +85,11 @@ int TestOpticsPreset(int argc, char* argv[])
   CheckWarning(ReadText(file, R"({ "FrameSource": "Both" })"), "FrameSource", "Curvature");
   CheckWarning(ReadText(file, R"({ "SpecularFromExtinction": 1 })"), "SpecularFromExtinction", "true");
   CheckWarning(ReadText(file, R"({ "ScatteringAnisotropy": "g" })"), "ScatteringAnisotropy", "[-1, 1]");
+
+  std::ofstream(file) << R"({ "ReflectanceModel": "Phong" })";
+  const Result kept = ReadFile(file, vtkOpticsVolumeProperty::Ward);
+  Check(
+    kept.Property->GetReflectanceModel() == vtkOpticsVolumeProperty::Ward, "an unknown model is left out");
 
   for (const Result& broken :
     { ReadText(file, "[1, 2]"), ReadText(file, "{ \"Glossiness\": "), ReadFile(file + ".missing") })

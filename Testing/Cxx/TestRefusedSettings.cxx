@@ -8,6 +8,8 @@
 
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
+#include "vtkMultiVolume.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 
@@ -50,6 +52,28 @@ void UseRectilinearGrid(TestScene& scene)
   scene.Mapper->SetInputData(grid);
 }
 
+void UseTwoVolumes(TestScene& scene)
+{
+  vtkNew<vtkVolume> second;
+  second->SetProperty(scene.Property);
+  second->SetPosition(0.3, 0.0, 0.2);
+  scene.Mapper->SetInputConnection(1, scene.Source->GetOutputPort());
+  vtkNew<vtkMultiVolume> both;
+  both->SetMapper(scene.Mapper);
+  both->SetVolume(scene.Volume, 0);
+  both->SetVolume(second, 1);
+  scene.Renderer->RemoveVolume(scene.Volume);
+  scene.Renderer->AddVolume(both);
+}
+
+void UseSlice(TestScene& scene)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.3, 1.0, 0.2);
+  scene.Property->SetSliceFunction(plane);
+  scene.Mapper->SetBlendModeToSlice();
+}
+
 void CheckRefused(Check& check, const std::string& name, const Setting& setting)
 {
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
@@ -81,6 +105,8 @@ int TestRefusedSettings(int, char*[])
     s.Mapper->SetBlendModeToIsoSurface();
     s.Property->GetIsoSurfaceValues()->SetValue(0, 0.5);
   });
+  CheckRefused(check, "slice", UseSlice);
+  CheckRefused(check, "several volumes in one mapper", UseTwoVolumes);
   CheckRefused(check, "independent components", UseIndependentComponents);
   CheckRefused(check, "rectilinear grid", UseRectilinearGrid);
   CheckRefused(check, "gradient opacity of a label", [](TestScene& s) {

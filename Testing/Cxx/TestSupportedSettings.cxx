@@ -14,10 +14,14 @@
 #include "vtkPlane.h"
 #include "vtkContourValues.h"
 #include "vtkPlaneCollection.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkLODProp3D.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -85,6 +89,56 @@ void UseDependentComponents(TestScene& scene, int components)
   scene.Opacity->AddPoint(100.0, 0.0);
   scene.Opacity->AddPoint(150.0, 0.9);
   scene.Color->AddRGBPoint(255.0, 0.9, 0.7, 0.5);
+}
+
+// Points of one half of the volume are hidden.
+void Blank(TestScene& scene)
+{
+  vtkSmartPointer<vtkImageData> image = Field(scene);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
+  {
+    ghosts->SetValue(i, image->GetPoint(i)[2] > 0.1 ? vtkDataSetAttributes::HIDDENPOINT : 0);
+  }
+  image->GetPointData()->AddArray(ghosts);
+  scene.Mapper->SetInputData(image);
+}
+
+// A turn by 30 degrees about the axis z.
+void Rotate(vtkMatrix3x3* matrix)
+{
+  matrix->SetElement(0, 0, 0.8660254037844386);
+  matrix->SetElement(0, 1, -0.5);
+  matrix->SetElement(1, 0, 0.5);
+  matrix->SetElement(1, 1, 0.8660254037844386);
+}
+
+void UseDirectionMatrix(TestScene& scene)
+{
+  vtkSmartPointer<vtkImageData> image = Field(scene);
+  vtkNew<vtkMatrix3x3> direction;
+  Rotate(direction);
+  double* origin = image->GetOrigin();
+  double turned[3];
+  direction->MultiplyPoint(origin, turned);
+  image->SetDirectionMatrix(direction);
+  image->SetOrigin(turned);
+  scene.Mapper->SetInputData(image);
+}
+
+// The same turn as UseDirectionMatrix, of the volume instead of the image.
+void UseRotation(TestScene& scene)
+{
+  vtkNew<vtkMatrix3x3> direction;
+  Rotate(direction);
+  vtkNew<vtkMatrix4x4> matrix;
+  for (int i = 0; i < 9; ++i)
+  {
+    matrix->SetElement(i / 3, i % 3, direction->GetElement(i / 3, i % 3));
+  }
+  scene.Volume->SetUserMatrix(matrix);
 }
 
 void Use2DFunction(TestScene& scene)
@@ -196,6 +250,8 @@ const Row Rows[] = {
       transform->Scale(1.2, 0.8, 1.0);
       scene.Volume->SetUserTransform(transform);
     } },
+  { "direction matrix", UseDirectionMatrix },
+  { "blanked points", Blank },
   { "cell data", UseCellData },
   { "binary mask",
     [](TestScene& scene) {
@@ -225,6 +281,11 @@ const Row Rows[] = {
     [](TestScene& scene) {
       scene.Mapper->SetFinalColorWindow(0.7F);
       scene.Mapper->SetFinalColorLevel(0.6F);
+    } },
+  { "shader property",
+    [](TestScene& scene) {
+      scene.Volume->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Cropping::Exit", true,
+        "//VTK::Cropping::Exit\n  g_fragColor.rgb = 0.5 * g_fragColor.grb;\n", false);
     } },
   { "two viewports",
     [](TestScene& scene) {
@@ -265,10 +326,65 @@ void CheckRow(Check& check, const Row& row)
   const int highlight = LargestDifference(unshaded, scene.Render());
   check.That(highlight > 10, name + ": the highlight is of " + std::to_string(highlight) + " codes only");
   check.That(AreFinite(scene.RenderFloat()), name + ": a pixel is not finite");
+  const int replacements = scene.Volume->GetShaderProperty()->GetNumberOfShaderReplacements();
+  check.That(replacements == (name == "shader property" ? 1 : 0), name + ": replacements are added");
   for (const std::string& text : warnings.Texts)
   {
     check.That(false, name + ": " + text);
   }
+}
+
+// A turn by the image's direction matrix is a turn by the volume's user matrix, highlights included.
+void CheckDirectionMatrix(Check& check)
+{
+  TestScene byImage, byVolume;
+  UseDirectionMatrix(byImage);
+  UseRotation(byVolume);
+  for (TestScene* scene : { &byImage, &byVolume })
+  {
+    scene->Property->SetReflectanceModelToWard();
+    scene->Property->SetSpecular(1.0);
+    scene->Optics->SetFramePrecision(32); // 8 bits along other axes round otherwise
+  }
+  const int difference = LargestDifference(byImage.Render(), byVolume.Render());
+  check.That(
+    difference <= 1, "direction matrix: differs from a user matrix by " + std::to_string(difference));
+}
+
+struct Images
+{
+  vtkNew<vtkImageData> Colour, Depth;
+
+  explicit Images(TestScene& scene)
+  {
+    scene.Mapper->SetRenderToImage(1);
+    scene.Window->Render();
+    scene.Mapper->GetColorImage(this->Colour);
+    scene.Mapper->GetDepthImage(this->Depth);
+  }
+  static std::vector<unsigned char> Bytes(vtkImageData* image)
+  {
+    const auto* first = static_cast<const unsigned char*>(image->GetScalarPointer());
+    return { first,
+      first + image->GetNumberOfPoints() * image->GetNumberOfScalarComponents() * image->GetScalarSize() };
+  }
+};
+
+// RenderToImage: without a model VTK's images; with one VTK's depth, and highlights in the colour.
+void CheckRenderToImage(Check& check)
+{
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+  TestScene reference(mapper), plain, unlit, shiny;
+  unlit.Property->SetReflectanceModelToNone();
+  shiny.Property->SetReflectanceModelToWard();
+  shiny.Property->SetSpecular(1.0);
+  const Images stock(reference), off(plain), none(unlit), ward(shiny);
+  check.That(!Images::Bytes(stock.Colour).empty(), "render to image: VTK gives none");
+  check.That(Images::Bytes(stock.Colour) == Images::Bytes(off.Colour), "render to image: colour off");
+  check.That(Images::Bytes(stock.Depth) == Images::Bytes(off.Depth), "render to image: depth off");
+  check.That(Images::Bytes(stock.Depth) == Images::Bytes(ward.Depth), "render to image: depth");
+  const int highlight = LargestDifference(Images::Bytes(none.Colour), Images::Bytes(ward.Colour));
+  check.That(highlight > 10, "render to image: the highlight is of " + std::to_string(highlight) + " codes");
 }
 }
 
@@ -279,5 +395,7 @@ int TestSupportedSettings(int, char*[])
   {
     CheckRow(check, row);
   }
+  CheckDirectionMatrix(check);
+  CheckRenderToImage(check);
   return check.ExitCode();
 }

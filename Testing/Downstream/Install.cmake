@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: VolumeOptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs the build tree, moves the install tree, and uses it there: from a CMake project, from
-# Python, and as a plugin. Run by CTest as
+# Installs the build tree, moves the install tree, and uses it there: from CMake projects, by the
+# program, from Python, and as a plugin. Run by CTest as
 #   cmake -D build=... -D source=... -D work=... (Testing/Standalone.cmake) -P Install.cmake
 
 function (run)
@@ -24,6 +24,15 @@ run("${CMAKE_COMMAND}" -S "${source}" -B "${work}/build" -G "${generator}"
   "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_BUILD_TYPE=Release" "-DCMAKE_CXX_FLAGS=${flags}")
 run("${CMAKE_COMMAND}" --build "${work}/build")
 run("${work}/build/downstream")
+run("${CMAKE_COMMAND}" -E chdir "${work}" "${work}/build/example/render_ellipsoid")
+if (NOT EXISTS "${work}/ellipsoid.png")
+  message(FATAL_ERROR "The example in Examples/cxx wrote no picture.")
+endif ()
+
+# The program is left out where its libraries are not there.
+if (EXISTS "${prefix}/bin/volumeoptics")
+  run("${prefix}/bin/volumeoptics" --version)
+endif ()
 
 include("${work}/build/paths.cmake")
 set(ENV{VOLUMEOPTICS_HEADLESS} 1)
