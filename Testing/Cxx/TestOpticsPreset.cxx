@@ -88,7 +88,7 @@ int TestOpticsPreset(int argc, char* argv[])
 
   std::ofstream(file) << R"({ "ReflectanceModel": "Phong" })";
   const Result kept = ReadFile(file, vtkOpticsVolumeProperty::Ward);
-  Check(
+  check.That(
     kept.Property->GetReflectanceModel() == vtkOpticsVolumeProperty::Ward, "an unknown model is left out");
 
   for (const Result& broken :
