@@ -174,6 +174,45 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const std::string missing = this->FindMissing();
+  if (missing.empty())
+  {
+    this->Superclass::Render(renderer, volume);
+  }
+  else if (this->Terms->Said.insert(missing).second)
+  {
+    vtkErrorMacro(<< missing);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOpticsVolumeMapper::FindMissing()
+{
+  if (this->GetInputCount() > 1)
+  {
+    return std::string(); // several volumes: VTK looks at each
+  }
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return "There is no volume to draw. Call SetInputData() or SetInputConnection().";
+  }
+  this->Update();
+  int cellFlag = 0;
+  vtkDataArray* scalars = GetScalars(this->GetDataSetInput(), this->GetScalarMode(),
+    this->GetArrayAccessMode(), this->GetArrayId(), this->GetArrayName(), cellFlag);
+  if (scalars && scalars->GetNumberOfTuples() > 0)
+  {
+    return std::string();
+  }
+  const char* name = this->GetArrayName();
+  return "The volume has no scalars to draw" +
+    (name && *name ? " (array \"" + std::string(name) + "\")" : "") +
+    ". Give its points or cells scalars, or name one of its arrays by SelectScalarArray().";
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);

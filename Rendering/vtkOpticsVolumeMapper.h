@@ -177,6 +177,9 @@ public:
   /** Fragment shader composed last with active terms; empty before. For inspection and tests. */
   std::string GetFragmentShader();
 
+  /** Draws the volume; where there is nothing to draw, an error tells what is missing. */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 #ifndef __VTK_WRAP__
@@ -197,6 +200,7 @@ private:
   void operator=(const vtkOpticsVolumeMapper&) = delete;
 
   void UpdateSampleDistance(vtkRenderer* renderer);
+  std::string FindMissing();
 
   double FrameResolutionFactor = 1.0;
   double StepInVoxels = 0.0; // of a preset; 0: the user's or VTK's
