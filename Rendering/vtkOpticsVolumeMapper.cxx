@@ -24,6 +24,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeInputHelper.h"
 #include "vtkVolumeTexture.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,11 +39,13 @@ public:
   vtkOpticsVolumeProperty* FindOptics(vtkVolume* volume);
   OpticsScene GetScene(vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
+  void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
 
   ReflectanceTerm Reflectance;
   std::vector<OpticsTerm*> All = { &this->Reflectance };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
+  vtkWeakPointer<vtkRenderWindow> LastWindow;
   std::set<std::string> Said;
   std::string ActiveTerms;
 };
@@ -142,6 +145,19 @@ std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const Op
 }
 
 //------------------------------------------------------------------------------
+// VTK's mapper gives up what it holds in another window in the midst of a frame, the terms' with it:
+// do so before they are prepared.
+void vtkOpticsVolumeMapper::Implementation::LeaveOtherWindow(
+  vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window)
+{
+  if (this->LastWindow && this->LastWindow != window)
+  {
+    mapper->ReleaseGraphicsResources(this->LastWindow);
+  }
+  this->LastWindow = window;
+}
+
+//------------------------------------------------------------------------------
 vtkOpticsVolumeMapper::vtkOpticsVolumeMapper()
   : Terms(new Implementation)
 {
@@ -153,6 +169,7 @@ vtkOpticsVolumeMapper::~vtkOpticsVolumeMapper() = default;
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
+  this->Terms->LeaveOtherWindow(this, renderer->GetRenderWindow());
   renderer->GetRenderWindow()->MakeCurrent();
   this->UpdateSampleDistance(renderer);
   const LightLimit limit(renderer);
@@ -190,13 +207,9 @@ void vtkOpticsVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 //------------------------------------------------------------------------------
 std::string vtkOpticsVolumeMapper::FindMissing()
 {
-  if (this->GetInputCount() > 1)
+  if (this->GetInputCount() > 1 || this->GetNumberOfInputConnections(0) == 0)
   {
-    return std::string(); // several volumes: VTK looks at each
-  }
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    return "There is no volume to draw. Call SetInputData() or SetInputConnection().";
+    return std::string(); // VTK looks at each of several volumes, and says itself that there is none
   }
   this->Update();
   int cellFlag = 0;

@@ -177,7 +177,7 @@ public:
   /** Fragment shader composed last with active terms; empty before. For inspection and tests. */
   std::string GetFragmentShader();
 
-  /** Draws the volume; where there is nothing to draw, an error tells what is missing. */
+  /** Draws the volume; where it has no scalars, one error tells what to do. */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
