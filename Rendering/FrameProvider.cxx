@@ -202,8 +202,8 @@ double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Reques
     return factor; // the still frame has more to say
   }
   std::ostringstream message;
-  message << "Normals and anisotropy of the volume would take " << std::lround(bytes / 1048576.0)
-          << " MiB of textures; the mapper's limit is " << std::lround(limit / 1048576.0)
+  message << "Normals and anisotropy of the volume would take " << bytes / 1048576.0
+          << " MiB of textures; the mapper's limit is " << limit / 1048576.0
           << " MiB. They are computed at a resolution factor of " << factor
           << ". Raise SetMaxMemoryInBytes() or lower SetFramePrecision() for more.";
   scene.Mapper->Say(message.str());

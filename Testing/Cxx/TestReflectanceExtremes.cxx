@@ -131,7 +131,7 @@ void PlaceCamera(TestScene& scene, const double position[3])
   scene.Renderer->ResetCameraClippingRange();
 }
 
-// Rays start beside a point of the grid.
+// The camera stands exactly on a point of the grid.
 void PlaceCameraOnVoxel(TestScene& scene)
 {
   scene.Source->Update();
