@@ -31,7 +31,9 @@ const double SmallestFactor = 0.0625;
 vtkFloatArray* FindArray(vtkImageData* image, const char* name, int components)
 {
   auto* array = image ? vtkFloatArray::FastDownCast(image->GetPointData()->GetArray(name)) : nullptr;
-  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+  const bool fits = array && array->GetNumberOfComponents() == components && array->GetNumberOfTuples() > 0 &&
+    array->GetNumberOfTuples() == image->GetNumberOfPoints();
+  return fits ? array : nullptr;
 }
 
 vtkFloatArray* FindAnisotropy(vtkImageData* image)
@@ -46,17 +48,23 @@ vtkImageData* UpdatedImage(const FrameProvider::Connection& connection)
   return vtkImageData::SafeDownCast(connection.Producer->GetOutputDataObject(connection.Port));
 }
 
+// Index coordinates of one grid are those of the other, to a thousandth of a voxel.
 bool HaveSameGrid(vtkImageData* first, vtkImageData* second)
 {
   int a[6], b[6];
   first->GetExtent(a);
   second->GetExtent(b);
-  const double* spacingA = first->GetSpacing();
-  const double* spacingB = second->GetSpacing();
   bool same = std::equal(a, a + 6, b);
-  for (int axis = 0; axis < 3; ++axis)
+  for (int corner = 0; corner < 8 && same; ++corner)
   {
-    same &= std::abs(spacingA[axis] - spacingB[axis]) <= 1.0e-6 * std::abs(spacingA[axis]);
+    double point[3], index[3];
+    const int ijk[3] = { a[corner & 1], a[2 + (corner >> 1 & 1)], a[4 + (corner >> 2 & 1)] };
+    first->TransformIndexToPhysicalPoint(ijk, point);
+    second->TransformPhysicalPointToContinuousIndex(point, index);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      same = same && std::abs(index[axis] - ijk[axis]) < 1.0e-3;
+    }
   }
   return same;
 }
@@ -90,7 +98,7 @@ void ReportProgress(vtkObject* caller, unsigned long, void* data, void*)
   auto* filter = static_cast<vtkAlgorithm*>(caller);
   double progress = watch->Begin + watch->Share * filter->GetProgress();
   watch->Scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsProgressEvent, &progress);
-  if (watch->Scene.Window->GetAbortRender())
+  if (watch->Scene.Window->CheckAbortStatus())
   {
     filter->SetAbortExecute(1);
   }
@@ -189,9 +197,13 @@ double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Reques
     return wanted;
   }
   const double factor = std::max(SmallestFactor, wanted * std::cbrt(limit / bytes));
+  if (request.Coarse)
+  {
+    return factor; // the still frame has more to say
+  }
   std::ostringstream message;
-  message << "Normals and anisotropy of the volume would take " << std::lround(bytes / 1048576.0)
-          << " MiB of textures; the mapper's limit is " << std::lround(limit / 1048576.0)
+  message << "Normals and anisotropy of the volume would take " << bytes / 1048576.0
+          << " MiB of textures; the mapper's limit is " << limit / 1048576.0
           << " MiB. They are computed at a resolution factor of " << factor
           << ". Raise SetMaxMemoryInBytes() or lower SetFramePrecision() for more.";
   scene.Mapper->Say(message.str());
@@ -199,14 +211,17 @@ double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Reques
 }
 
 //------------------------------------------------------------------------------
-bool FrameProvider::IsStored(const Request& request) const
+bool FrameProvider::IsCurrent(const Request& request) const
 {
-  const bool isCurrent = this->Stored.Normals && this->StoredTime == this->GetTime();
   const bool isEnough =
-    !request.Anisotropy || (this->Stored.Anisotropy && this->StoredRequest.Curvature == request.Curvature);
-  const bool isFine = this->StoredRequest.ResolutionFactor == request.ResolutionFactor &&
-    this->StoredRequest.Bits == request.Bits && (request.Coarse || !this->StoredRequest.Coarse);
-  return isCurrent && isEnough && isFine;
+    !request.Anisotropy || (this->Stored.Anisotropy && this->StoredCurvature == request.Curvature);
+  return this->Stored.Normals && this->StoredTime == this->GetTime() && isEnough;
+}
+
+//------------------------------------------------------------------------------
+bool FrameProvider::IsFine(const Request& request, double factor) const
+{
+  return request.Coarse ? this->StoredFactor >= factor : this->StoredFactor == factor;
 }
 
 //------------------------------------------------------------------------------
@@ -220,18 +235,13 @@ vtkMTimeType FrameProvider::GetTime() const
 FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& request)
 {
   this->UpdateInput(scene);
-  if (this->IsStored(request))
+  const double factor = this->GetResolutionFactor(scene, request);
+  const bool isCurrent = this->IsCurrent(request);
+  if (isCurrent && this->IsFine(request, factor))
   {
     return this->GetStored(request.Anisotropy);
   }
-  const double factor = this->GetResolutionFactor(scene, request);
-  this->Sobel->SetResolutionFactor(factor);
-  this->Covariance->SetResolutionFactor(factor);
-  this->Curvature->SetResolutionFactor(factor);
-  this->Sobel->SetInputComponent(scene.OpacityComponent);
-  this->Covariance->SetInputComponent(scene.OpacityComponent);
-  this->Curvature->SetInputComponent(scene.OpacityComponent);
-
+  this->SetUpFilters(scene, factor);
   vtkAlgorithm* anisotropy = request.Curvature ? static_cast<vtkAlgorithm*>(this->Curvature)
                                                : static_cast<vtkAlgorithm*>(this->Covariance);
   const double share = request.Anisotropy ? 0.1 : 1.0;
@@ -239,25 +249,50 @@ FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& req
   const bool isDone = Run(this->Sobel, Watch{ scene, 0.0, share }) &&
     (!request.Anisotropy || Run(anisotropy, Watch{ scene, share, 1.0 - share }));
   scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsEndEvent);
-  this->Stored = {};
-  if (!isDone)
+  if (isDone)
   {
-    return FrameGrid();
+    this->Store(request, factor);
   }
-  this->Store(request, request.Anisotropy ? anisotropy : nullptr);
+  else if (isCurrent)
+  {
+    this->StoredTime = this->GetTime(); // another resolution of the same data goes on serving
+  }
+  else
+  {
+    this->Stored = {};
+  }
   return this->GetStored(request.Anisotropy);
 }
 
 //------------------------------------------------------------------------------
-void FrameProvider::Store(const Request& request, vtkAlgorithm* anisotropy)
+void FrameProvider::SetUpFilters(const OpticsScene& scene, double factor)
+{
+  for (vtkOpticsImageFilter* filter :
+    { static_cast<vtkOpticsImageFilter*>(this->Sobel), static_cast<vtkOpticsImageFilter*>(this->Covariance),
+      static_cast<vtkOpticsImageFilter*>(this->Curvature) })
+  {
+    filter->SetResolutionFactor(factor);
+    filter->SetInputComponent(scene.OpacityComponent);
+  }
+}
+
+//------------------------------------------------------------------------------
+void FrameProvider::Store(const Request& request, double factor)
 {
   vtkImageData* normals = this->Sobel->GetOutput();
-  this->Stored.Geometry = normals;
+  // the filter's own image changes when a computation begins that may not end
+  this->Stored.Geometry = vtkSmartPointer<vtkImageData>::New();
+  this->Stored.Geometry->CopyStructure(normals);
   this->Stored.Normals = FindArray(normals, "Normals", 3);
   this->Stored.Magnitude = FindArray(normals, "GradientMagnitude", 1);
-  this->Stored.Anisotropy =
-    anisotropy ? FindAnisotropy(vtkImageData::SafeDownCast(anisotropy->GetOutputDataObject(0))) : nullptr;
-  this->StoredRequest = request;
+  this->Stored.Anisotropy = nullptr;
+  if (request.Anisotropy)
+  {
+    this->Stored.Anisotropy =
+      FindAnisotropy(request.Curvature ? this->Curvature->GetOutput() : this->Covariance->GetOutput());
+  }
+  this->StoredCurvature = request.Curvature;
+  this->StoredFactor = factor;
   this->StoredTime = this->GetTime();
 }
 

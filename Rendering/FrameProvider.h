@@ -59,8 +59,10 @@ private:
   double GetResolutionFactor(const OpticsScene& scene, const Request& request);
   vtkMTimeType GetTime() const;
 
-  void Store(const Request& request, vtkAlgorithm* anisotropy);
-  bool IsStored(const Request& request) const;
+  void SetUpFilters(const OpticsScene& scene, double factor);
+  void Store(const Request& request, double factor);
+  bool IsCurrent(const Request& request) const;             // what is stored belongs to the data
+  bool IsFine(const Request& request, double factor) const; // and has the resolution
   FrameGrid GetStored(bool withAnisotropy) const;
 
   vtkSmartPointer<vtkImageData> Input; // the scalars that opacity depends on, as point data
@@ -75,7 +77,8 @@ private:
     vtkSmartPointer<vtkFloatArray> Magnitude;
     vtkSmartPointer<vtkFloatArray> Anisotropy;
   } Stored;
-  Request StoredRequest = {};
+  bool StoredCurvature = false;
+  double StoredFactor = 0.0;
   vtkMTimeType StoredTime = 0;
 };
 

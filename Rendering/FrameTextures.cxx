@@ -40,8 +40,8 @@ struct Codec
 template <>
 struct Codec<float>
 {
-  static float Signed(double value) { return static_cast<float>(value); }
-  static float Unsigned(double value) { return static_cast<float>(value); }
+  static float Signed(double value) { return static_cast<float>(std::clamp(value, -1.0, 1.0)); }
+  static float Unsigned(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
 };
 
 template <typename Code, typename Channels>
@@ -55,7 +55,8 @@ std::vector<Code> Encode(const Channels& channels, vtkIdType voxels)
       for (std::size_t i = 0; i < count; ++i)
       {
         const auto& channel = channels[i];
-        const double value = channel.Values[voxel * channel.Stride] * channel.Scale;
+        const double given = channel.Values[voxel * channel.Stride] * channel.Scale;
+        const double value = std::isnan(given) ? 0.0 : given;
         codes[voxel * count + i] =
           channel.IsSigned ? Codec<Code>::Signed(value) : Codec<Code>::Unsigned(value);
       }
@@ -97,7 +98,10 @@ bool FrameTextures::Update(const FrameGrid& grid, int bits, vtkOpenGLRenderWindo
   // a window's time changes with its size: only which window counts
   std::array<Stamp, 4> stamps = current;
   stamps[0].Time = 0;
-  if (stamps == this->Uploaded && bits == this->UploadedBits && this->Normals)
+  // a new window may have the address of one that took its textures along
+  const bool isAlive =
+    this->Normals && this->Normals->GetContext() == window && this->Normals->GetHandle() != 0;
+  if (isAlive && stamps == this->Uploaded && bits == this->UploadedBits)
   {
     return true;
   }
@@ -178,7 +182,9 @@ void FrameTextures::SetUniforms(vtkShaderProgram* program, double stepPerRange)
   const float code[2] = { this->Bits == 32 ? 1.0F : static_cast<float>(2.0 * codes / (codes - 1.0)),
     this->Bits == 32 ? 0.0F : -1.0F };
   program->SetUniform2f("in_opticsFrameCode", code);
-  program->SetUniformf("in_opticsMagnitudeScale", static_cast<float>(this->LargestMagnitude * stepPerRange));
+  // finite as a float, too
+  const double scale = std::min(this->LargestMagnitude * stepPerRange, 1.0e30);
+  program->SetUniformf("in_opticsMagnitudeScale", static_cast<float>(scale));
 
   vtkNew<vtkMatrix4x4> dataToTexture;
   dataToTexture->DeepCopy(this->DataToTexture);

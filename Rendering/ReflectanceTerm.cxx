@@ -71,6 +71,13 @@ bool NeedsFrames(const OpticsScene& scene)
     (IsAnisotropic(scene) || !NeedsCentralDifferences(scene) || HasGradientOpacity(scene) || Is2D(scene));
 }
 
+// VTK's rays have no length in a volume whose points lie in a plane, and its pictures no meaning.
+bool IsFlat(const OpticsScene& scene)
+{
+  const int* size = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetDimensions();
+  return !scene.CellScalars && *std::min_element(size, size + 3) == 1;
+}
+
 // What the term cannot shade, in words; empty where it can.
 std::string Unsupported(const OpticsScene& scene)
 {
@@ -82,6 +89,10 @@ std::string Unsupported(const OpticsScene& scene)
   if (!vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput()))
   {
     return "data other than vtkImageData";
+  }
+  if (IsFlat(scene))
+  {
+    return "a volume of a single point on an axis";
   }
   if (scene.Mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
   {

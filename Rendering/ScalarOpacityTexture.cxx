@@ -22,8 +22,10 @@ int TableWidth(vtkPiecewiseFunction* opacity, const double range[2])
 void ScalarOpacityTexture::Update(
   vtkPiecewiseFunction* opacity, const double range[2], vtkOpenGLRenderWindow* window)
 {
-  const bool isCurrent = this->Texture && this->Texture->GetContext() == window && this->Source == opacity &&
-    this->SourceTime == opacity->GetMTime() && this->Range[0] == range[0] && this->Range[1] == range[1];
+  const bool isAlive =
+    this->Texture && this->Texture->GetContext() == window && this->Texture->GetHandle() != 0;
+  const bool isCurrent = isAlive && this->Source == opacity && this->SourceTime == opacity->GetMTime() &&
+    this->Range[0] == range[0] && this->Range[1] == range[1];
   if (isCurrent)
   {
     return;

@@ -25,6 +25,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeInputHelper.h"
 #include "vtkVolumeTexture.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,11 +40,13 @@ public:
   vtkOpticsVolumeProperty* FindOptics(vtkVolume* volume);
   OpticsScene GetScene(vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
+  void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
 
   ReflectanceTerm Reflectance;
   std::vector<OpticsTerm*> All = { &this->Reflectance };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
+  vtkWeakPointer<vtkRenderWindow> LastWindow;
   std::set<std::string> Said;
   std::string ActiveTerms;
 };
@@ -143,6 +146,19 @@ std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const Op
 }
 
 //------------------------------------------------------------------------------
+// VTK's mapper gives up what it holds in another window in the midst of a frame, the terms' with it:
+// do so before they are prepared.
+void vtkOpticsVolumeMapper::Implementation::LeaveOtherWindow(
+  vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window)
+{
+  if (this->LastWindow && this->LastWindow != window)
+  {
+    mapper->ReleaseGraphicsResources(this->LastWindow);
+  }
+  this->LastWindow = window;
+}
+
+//------------------------------------------------------------------------------
 vtkOpticsVolumeMapper::vtkOpticsVolumeMapper()
   : Terms(new Implementation)
 {
@@ -154,6 +170,7 @@ vtkOpticsVolumeMapper::~vtkOpticsVolumeMapper() = default;
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
+  this->Terms->LeaveOtherWindow(this, renderer->GetRenderWindow());
   renderer->GetRenderWindow()->MakeCurrent();
   this->UpdateSampleDistance(renderer);
   const LightLimit limit(renderer);
@@ -172,6 +189,41 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
   this->Terms->Pass->Attach(scene, active);
   this->Superclass::GPURender(renderer, volume);
   this->Terms->Pass->Detach();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const std::string missing = this->FindMissing();
+  if (missing.empty())
+  {
+    this->Superclass::Render(renderer, volume);
+  }
+  else if (this->Terms->Said.insert(missing).second)
+  {
+    vtkErrorMacro(<< missing);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkOpticsVolumeMapper::FindMissing()
+{
+  if (this->GetInputCount() > 1 || this->GetNumberOfInputConnections(0) == 0)
+  {
+    return std::string(); // VTK looks at each of several volumes, and says itself that there is none
+  }
+  this->Update();
+  int cellFlag = 0;
+  vtkDataArray* scalars = GetScalars(this->GetDataSetInput(), this->GetScalarMode(),
+    this->GetArrayAccessMode(), this->GetArrayId(), this->GetArrayName(), cellFlag);
+  if (scalars && scalars->GetNumberOfTuples() > 0)
+  {
+    return std::string();
+  }
+  const char* name = this->GetArrayName();
+  return "The volume has no scalars to draw" +
+    (name && *name ? " (array \"" + std::string(name) + "\")" : "") +
+    ". Give its points or cells scalars, or name one of its arrays by SelectScalarArray().";
 }
 
 //------------------------------------------------------------------------------

@@ -184,6 +184,9 @@ public:
   /** Fragment shader composed last with active terms; empty before. For inspection and tests. */
   std::string GetFragmentShader();
 
+  /** Draws the volume; where it has no scalars, one error tells what to do. */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 #ifndef __VTK_WRAP__
@@ -204,6 +207,7 @@ private:
   void operator=(const vtkOpticsVolumeMapper&) = delete;
 
   void UpdateSampleDistance(vtkRenderer* renderer);
+  std::string FindMissing();
 
   double FrameResolutionFactor = 1.0;
   double StepInVoxels = 0.0; // of a preset; 0: the user's or VTK's

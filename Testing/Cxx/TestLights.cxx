@@ -87,7 +87,7 @@ std::array<double, 2> Centre(const std::vector<float>& pixels, int width)
     const double weight = std::pow(pixels[4 * i + 1], 4);
     sum += weight;
     x += weight * (i % width);
-    y += weight * (i / width);
+    y += weight * static_cast<double>(i / width);
   }
   return { x / sum + 0.5, y / sum + 0.5 };
 }

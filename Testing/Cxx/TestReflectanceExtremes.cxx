@@ -6,6 +6,7 @@
 
 #include "TestScene.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkLight.h"
 #include "vtkLongLongArray.h"
@@ -22,7 +23,13 @@ using Setting = std::function<void(TestScene&)>;
 const int Models[] = { vtkOpticsVolumeProperty::None, vtkOpticsVolumeProperty::BlinnPhong,
   vtkOpticsVolumeProperty::Ward, vtkOpticsVolumeProperty::Lafortune };
 
-void CheckScene(Check& check, const std::string& name, const Setting& setting)
+void ShowAll(TestScene& scene)
+{
+  scene.Renderer->ResetCamera();
+}
+
+void CheckScene(
+  Check& check, const std::string& name, const Setting& setting, const Setting& placeCamera = ShowAll)
 {
   for (const int model : Models)
   {
@@ -31,7 +38,7 @@ void CheckScene(Check& check, const std::string& name, const Setting& setting)
     scene.Property->SetSpecular(1.0);
     scene.Property->SetReflectanceModel(model);
     setting(scene);
-    scene.Renderer->ResetCamera();
+    placeCamera(scene);
     const std::string what = name + ", " + scene.Property->GetReflectanceModelAsString();
     scene.Window->Render();
     check.That(glGetError() == GL_NO_ERROR, what + ": OpenGL reports an error");
@@ -93,6 +100,45 @@ void Poison(TestScene& scene, float value)
   scene.Mapper->SetInputData(image);
 }
 
+// Every point, or only those above the middle plane.
+void Blank(TestScene& scene, bool all)
+{
+  scene.Source->Update();
+  vtkNew<vtkImageData> image;
+  image->DeepCopy(scene.Source->GetOutput());
+  image->AllocatePointGhostArray();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    if (all || image->GetPoint(i)[2] > 0.0)
+    {
+      image->GetPointGhostArray()->SetValue(i, vtkDataSetAttributes::HIDDENPOINT);
+    }
+  }
+  scene.Mapper->SetInputData(image);
+}
+
+void MakeHomogeneous(TestScene& scene)
+{
+  scene.Source->SetFieldToNoisyHomogeneous();
+  scene.Source->SetNoiseAmplitude(0.0);
+}
+
+void PlaceCamera(TestScene& scene, const double position[3])
+{
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(position);
+  camera->SetFocalPoint(position[0], position[1] + 1.0, position[2]);
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+// The camera stands exactly on a point of the grid.
+void PlaceCameraOnVoxel(TestScene& scene)
+{
+  scene.Source->Update();
+  vtkImageData* image = scene.Source->GetOutput();
+  PlaceCamera(scene, image->GetPoint(image->GetNumberOfPoints() / 2 + 5));
+}
+
 void SetBounds(TestScene& scene, double x, double y, double z)
 {
   scene.Source->SetBounds(-x, x, -y, y, -z, z);
@@ -133,10 +179,7 @@ void CheckParameters(Check& check)
 
 void CheckData(Check& check)
 {
-  CheckScene(check, "constant volume", [](TestScene& s) {
-    s.Source->SetFieldToNoisyHomogeneous();
-    s.Source->SetNoiseAmplitude(0.0);
-  });
+  CheckScene(check, "constant volume", MakeHomogeneous);
   CheckScene(check, "spacing 1e-6", [](TestScene& s) { SetBounds(s, 1.6e-5, 1.6e-5, 1.6e-5); });
   CheckScene(check, "spacing 1e6", [](TestScene& s) { SetBounds(s, 1.6e7, 1.6e7, 1.6e7); });
   CheckScene(check, "spacing 1:100", [](TestScene& s) { SetBounds(s, 1.0, 1.0, 100.0); });
@@ -144,6 +187,27 @@ void CheckData(Check& check)
   CheckScene(check, "scalars of 1e30", [](TestScene& s) { Rescale<vtkFloatArray>(s, 1.0e30, 0.0); });
   CheckScene(check, "int64", [](TestScene& s) { Rescale<vtkLongLongArray>(s, 1.0e15, 1.0e12); });
   CheckScene(check, "NaN", [](TestScene& s) { Poison(s, std::numeric_limits<float>::quiet_NaN()); });
+  CheckScene(check, "infinity", [](TestScene& s) { Poison(s, std::numeric_limits<float>::infinity()); });
+  CheckScene(
+    check, "negative infinity", [](TestScene& s) { Poison(s, -std::numeric_limits<float>::infinity()); });
+  CheckScene(check, "half of the points blanked", [](TestScene& s) { Blank(s, false); });
+  CheckScene(check, "every point blanked", [](TestScene& s) { Blank(s, true); });
+}
+
+void CheckCamera(Check& check)
+{
+  const Setting none = [](TestScene&) {};
+  const Setting centre = [](TestScene& s) {
+    const double origin[3] = {};
+    PlaceCamera(s, origin);
+  };
+  CheckScene(check, "camera in a homogeneous region", MakeHomogeneous, centre);
+  CheckScene(check, "camera inside", none, centre);
+  CheckScene(check, "camera on a voxel", none, PlaceCameraOnVoxel);
+  CheckScene(check, "camera on the surface of the volume", none, [](TestScene& s) {
+    const double position[3] = { 0.0, -1.0, 0.0 };
+    PlaceCamera(s, position);
+  });
 }
 
 void CheckLight(Check& check)
@@ -167,6 +231,7 @@ int TestReflectanceExtremes(int, char*[])
   Check check;
   CheckParameters(check);
   CheckData(check);
+  CheckCamera(check);
   CheckLight(check);
   return check.ExitCode();
 }
