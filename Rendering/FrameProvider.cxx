@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
 
 namespace
@@ -181,8 +182,15 @@ void FrameProvider::UpdateInput(const OpticsScene& scene)
   this->Source = source;
   this->SourceTime = time;
   this->Sobel->SetInputData(this->Input);
+  this->CurvatureSobel->SetInputData(this->Input);
   this->Covariance->SetInputData(0, this->Input);
   this->Curvature->SetInputData(this->Input);
+}
+
+//------------------------------------------------------------------------------
+int FrameProvider::GetStorage(const Request& request)
+{
+  return request.Curvature ? this->Curvature->GetStorage() : this->Covariance->GetStorage();
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +199,9 @@ double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Reques
   const double wanted = request.ResolutionFactor * (request.Coarse ? CoarseFactor : 1.0);
   const double limit = 1.0 * scene.Mapper->GetMaxMemoryInBytes() * scene.Mapper->GetMaxMemoryFraction();
   const double voxels = static_cast<double>(this->Input->GetNumberOfPoints()) * std::pow(wanted, 3);
-  const double bytes = voxels * (request.Anisotropy ? 7 : 4) * request.Bits / 8;
+  const bool isWorld = this->GetStorage(request) == vtkAnisotropyFilter::World;
+  const int numbers = 4 + (request.Anisotropy ? (isWorld ? 5 : 3) : 0);
+  const double bytes = voxels * numbers * request.Bits / 8;
   if (limit <= 0.0 || bytes <= limit)
   {
     return wanted;
@@ -214,7 +224,7 @@ double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Reques
 bool FrameProvider::IsCurrent(const Request& request) const
 {
   const bool isEnough =
-    !request.Anisotropy || (this->Stored.Anisotropy && this->StoredCurvature == request.Curvature);
+    this->StoredCurvature == request.Curvature && (this->Stored.Anisotropy || !request.Anisotropy);
   return this->Stored.Normals && this->StoredTime == this->GetTime() && isEnough;
 }
 
@@ -227,8 +237,8 @@ bool FrameProvider::IsFine(const Request& request, double factor) const
 //------------------------------------------------------------------------------
 vtkMTimeType FrameProvider::GetTime() const
 {
-  return std::max({ this->Input->GetMTime(), this->Sobel->GetMTime(), this->Covariance->GetMTime(),
-    this->Curvature->GetMTime() });
+  return std::max({ this->Input->GetMTime(), this->Sobel->GetMTime(), this->CurvatureSobel->GetMTime(),
+    this->Covariance->GetMTime(), this->Curvature->GetMTime() });
 }
 
 //------------------------------------------------------------------------------
@@ -246,7 +256,7 @@ FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& req
                                                : static_cast<vtkAlgorithm*>(this->Covariance);
   const double share = request.Anisotropy ? 0.1 : 1.0;
   scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsStartEvent);
-  const bool isDone = Run(this->Sobel, Watch{ scene, 0.0, share }) &&
+  const bool isDone = Run(this->GetNormals(request), Watch{ scene, 0.0, share }) &&
     (!request.Anisotropy || Run(anisotropy, Watch{ scene, share, 1.0 - share }));
   scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsEndEvent);
   if (isDone)
@@ -265,11 +275,18 @@ FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& req
 }
 
 //------------------------------------------------------------------------------
+vtkSobelNormalFilter* FrameProvider::GetNormals(const Request& request)
+{
+  return request.Curvature ? this->CurvatureSobel : this->Sobel;
+}
+
+//------------------------------------------------------------------------------
 void FrameProvider::SetUpFilters(const OpticsScene& scene, double factor)
 {
-  for (vtkOpticsImageFilter* filter :
-    { static_cast<vtkOpticsImageFilter*>(this->Sobel), static_cast<vtkOpticsImageFilter*>(this->Covariance),
-      static_cast<vtkOpticsImageFilter*>(this->Curvature) })
+  this->CurvatureSobel->SetSmoothing(this->Curvature->GetSmoothing());
+  const std::initializer_list<vtkOpticsImageFilter*> filters = { this->Sobel, this->CurvatureSobel,
+    this->Covariance, this->Curvature };
+  for (vtkOpticsImageFilter* filter : filters)
   {
     filter->SetResolutionFactor(factor);
     filter->SetInputComponent(scene.OpacityComponent);
@@ -279,7 +296,7 @@ void FrameProvider::SetUpFilters(const OpticsScene& scene, double factor)
 //------------------------------------------------------------------------------
 void FrameProvider::Store(const Request& request, double factor)
 {
-  vtkImageData* normals = this->Sobel->GetOutput();
+  vtkImageData* normals = this->GetNormals(request)->GetOutput();
   // the filter's own image changes when a computation begins that may not end
   this->Stored.Geometry = vtkSmartPointer<vtkImageData>::New();
   this->Stored.Geometry->CopyStructure(normals);

@@ -28,7 +28,7 @@ public:
   struct Request
   {
     bool Anisotropy; // else normals alone
-    bool Curvature;  // source of the anisotropy, else the covariance
+    bool Curvature;  // source of the anisotropy, if any, else the covariance
     double ResolutionFactor;
     int Bits;    // per number on the GPU, for the memory limit
     bool Coarse; // enough while the user interacts
@@ -54,6 +54,11 @@ public:
   vtkNew<vtkPrincipalCurvatureFilter> Curvature;
 
 private:
+  // The curvature of smoothed data goes with the normals of the same data.
+  vtkNew<vtkSobelNormalFilter> CurvatureSobel;
+
+  vtkSobelNormalFilter* GetNormals(const Request& request);
+  int GetStorage(const Request& request);
   void UpdateInput(const OpticsScene& scene);
   FrameGrid RunFilters(const OpticsScene& scene, const Request& request);
   double GetResolutionFactor(const OpticsScene& scene, const Request& request);

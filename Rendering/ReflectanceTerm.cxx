@@ -205,7 +205,7 @@ bool ReflectanceTerm::Prepare(const OpticsScene& scene)
   }
   FrameProvider::Request request;
   request.Anisotropy = IsAnisotropic(scene);
-  request.Curvature = scene.Optics->GetFrameSource() == Property::Curvature;
+  request.Curvature = request.Anisotropy && scene.Optics->GetFrameSource() == Property::Curvature;
   request.ResolutionFactor = scene.Mapper->GetFrameResolutionFactor();
   request.Bits = scene.Mapper->GetFramePrecision();
   request.Coarse = scene.Mapper->IsInteractive(scene.Renderer);

@@ -62,7 +62,7 @@ struct Preset
   int Samples;
   double FilterStandardDeviation; // voxels
 };
-const Preset Presets[] = { {}, { 1.0, 0.5, 8, 100, 1.0 }, { 0.5, 1.0, 8, 300, 1.0 },
+const Preset Presets[] = { {}, { 1.0, 0.5, 8, 100, 1.0 }, { 0.5, 1.0, 8, 1000, 1.0 },
   { 0.25, 1.0, 16, 4096, 0.0 } };
 
 // Opacity depends on the first component, or on the last one where the components belong together.
