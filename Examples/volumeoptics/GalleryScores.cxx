@@ -46,10 +46,11 @@ std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, Galle
       {
         PictureSettings settings = scene.Settings;
         settings.Camera = row.Camera;
-        settings.Optics = scene.Models[model];
+        settings.Optics = scene.Models[model].Optics;
+        settings.Function.Specular *= scene.Models[model].Highlights;
         const std::string name =
           "score-" + FileNameOf(scene.Name) + "-" + std::to_string(row.View) + "-" + settings.Optics.Model;
-        *scores[model] = studio.Draw(name, scene.Field, settings).Score;
+        *scores[model] = studio.Draw(name, scene.Field, settings, GalleryStudio::Untimed).Score;
       }
       rows.push_back(row);
       told(scene.Name);

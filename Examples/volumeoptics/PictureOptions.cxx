@@ -182,8 +182,8 @@ Volume PictureOptions::Load()
   }
   if (this->LightValues.size() == 2)
   {
-    this->Picture.Light.Azimuth = this->LightValues[0];
-    this->Picture.Light.Elevation = this->LightValues[1];
+    this->Picture.Lights[0].Azimuth = this->LightValues[0];
+    this->Picture.Lights[0].Elevation = this->LightValues[1];
   }
   vtkNew<vtkNamedColors> colors;
   const vtkColor4ub color = this->BackgroundText[0] == '#' ? colors->HTMLColorToRGBA(this->BackgroundText)
