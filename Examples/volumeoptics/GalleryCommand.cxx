@@ -88,6 +88,7 @@ void MakeGallery(const GalleryOptions& options)
   if (!options.WithoutScores)
   {
     contents.Scores = DrawScores(ScoreScenes(!options.WithoutCranium, options.ScoreRule), studio);
+    contents.ScoreRule = options.ScoreRule;
     WriteScores(options.Folder + "/scores.csv", contents.Scores);
   }
   contents.Renderer = studio.GetRendererName();

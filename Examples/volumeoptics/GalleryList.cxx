@@ -6,13 +6,14 @@
 #include <vtkMath.h>
 
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace
 {
 constexpr int PictureSize = 416;
 constexpr int StudySize = 288;
-constexpr int FarSize = 72;
+constexpr int FarSize = 48;
 constexpr int ScorePictureSize = 256;
 
 OpticsSettings Model(const std::string& model, double glossiness = -1.0, double anisotropy = -1.0)
@@ -118,7 +119,8 @@ PictureSettings Primitive()
   PictureSettings settings = Base(Surface(0.5, 0.04, { 0.3, 0.45, 0.7 }), 0.0, 0.0, 1.55);
   settings.Function.Specular = 1.5;
   settings.Lights = { { -25.0, 14.0, 1.0 } };
-  TakeWholeBall(settings.Ambient, 12.0, 0.5);
+  TakeWholeBall(settings.Ambient, 24.0, 0.5);
+  settings.Ambient.FilterStandardDeviation = 3.0;
   return settings;
 }
 
@@ -148,7 +150,9 @@ GalleryPicture Picture(const std::string& name, const std::string& title, const 
   std::string note;
   if (highlights != 1.0)
   {
-    note = ", highlights " + std::to_string(static_cast<int>(highlights)) + " times as strong";
+    char text[48];
+    std::snprintf(text, sizeof(text), ", highlights %g times as strong", highlights);
+    note = text;
   }
   return { name, title + note, field, settings };
 }
@@ -185,13 +189,16 @@ GallerySection CraniumSection()
     "out along the rim of the orbit, the zygomatic arch, the temporal line and the jaw. The three models "
     "have the same size of highlight on a sphere: low is Blinn-Phong's exponent 10, high is 80.",
     4, {} };
-  const auto add = [&](const std::string& name, const std::string& title, const OpticsSettings& optics) {
-    section.Pictures.push_back(Picture("cranium-" + name, title, "cranium", Cranium(), optics));
+  PictureSettings settings = Cranium();
+  settings.Step = 0.45;
+  const auto add = [&](const std::string& name, const std::string& title, const OpticsSettings& optics,
+                     double highlights = 1.0) {
+    section.Pictures.push_back(Picture("cranium-" + name, title, "cranium", settings, optics, highlights));
   };
   add("vtk", "Stock VTK shading", Model("vtk"));
-  add("blinn-phong-low", "Blinn-Phong, low glossiness", BlinnPhongOf(LowGlossiness));
+  add("blinn-phong-low", "Blinn-Phong, low glossiness", BlinnPhongOf(LowGlossiness), 0.5);
   add("ward-low", "Ward, low glossiness", WardOf(LowGlossiness, 10.0));
-  add("lafortune-low", "Lafortune, low glossiness", LafortuneOf(LowGlossiness, 10.0));
+  add("lafortune-low", "Lafortune, low glossiness", LafortuneOf(LowGlossiness, 10.0), 0.5);
   add("none", "Phase function alone", Model("none"));
   add("blinn-phong-high", "Blinn-Phong, high glossiness", BlinnPhongOf(HighGlossiness));
   add("ward-high", "Ward, high glossiness", WardOf(HighGlossiness, 10.0));
@@ -207,6 +214,7 @@ GallerySection SkinSection()
     3, {} };
   PictureSettings settings = Cranium();
   settings.Camera = { 60.0, 4.0, 0.0, 2.0, {}, {}, {} };
+  settings.Step = 0.45;
   settings.Ambient.Radius = 6.0;
   settings.Function.Opacity = { { -1024.0, 0.0 }, { -450.0, 0.0 }, { -300.0, 0.06 }, { -150.0, 0.12 },
     { 40.0, 0.05 }, { 140.0, 0.02 }, { 200.0, 0.15 }, { 260.0, 0.4 }, { 400.0, 0.9 }, { 3100.0, 1.0 } };
@@ -248,8 +256,14 @@ GallerySection PrimitiveSection()
   {
     for (const std::string field : { "sphere", "ellipsoid", "cylinder" })
     {
+      PictureSettings settings = Primitive();
+      if (field == "cylinder") // off its flat ends
+      {
+        settings.Ambient.Radius = 12.0;
+        settings.Ambient.FilterStandardDeviation = 1.5;
+      }
       section.Pictures.push_back(
-        Picture(field + "-" + optics.Model, field + ", " + name, field, Primitive(), optics));
+        Picture(field + "-" + optics.Model, field + ", " + name, field, settings, optics));
     }
   }
   return section;
@@ -260,7 +274,7 @@ GallerySection PackedSection()
   GallerySection section{ "Packed ellipsoids: the scale of the anisotropy",
     "After Fig. 5: principal curvatures and a small radius follow each ellipsoid; a large radius follows "
     "the columns that they form, also in the outermost, whose members are spheres. Below, from so far away "
-    "that the picture has 72 pixels a side (enlarged).",
+    "that the picture has 48 pixels a side (enlarged).",
     3, {} };
   for (const bool isNear : { true, false })
   {
@@ -273,6 +287,7 @@ GallerySection PackedSection()
       {
         settings.Ambient.Radius = 40.0;
         settings.Ambient.Samples = 800;
+        settings.Ambient.FilterStandardDeviation = 3.0;
       }
       const std::string title = estimate == "curvature" ? "Principal curvatures"
         : estimate == "small"                           ? "Small radius"
@@ -307,10 +322,8 @@ GallerySection StudySection()
     "filter turns into blotches.",
     4, {} };
   AmbientSettings reference = Primitive().Ambient;
-  TakeWholeBall(reference, 24.0, 0.5);
-  reference.Tolerance = 0.02;
   AmbientSettings smallRadius = reference, largeInterval = reference, fewSamples = reference;
-  smallRadius.Radius = 1.0;
+  smallRadius.Radius = 2.0;
   smallRadius.FilterStandardDeviation = 0.0;
   smallRadius.ResolutionFactor = 1.0;
   largeInterval.Tolerance = 0.5;
@@ -373,7 +386,7 @@ std::vector<GallerySection> GalleryList(bool withCranium)
 
 std::vector<std::string> ScoreRules()
 {
-  return { "equal-size", "gamma-40", "equal-exponents", "equal-peaks" };
+  return { "equal-size", "gamma-40", "as-printed", "equal-peaks" };
 }
 
 // Blinn-Phong, Ward, Lafortune.
@@ -382,8 +395,9 @@ static std::vector<ScoreModel> ScoreModels(const std::string& rule, double expon
   const double gamma = rule == "gamma-40" ? 40.0 : 10.0;
   std::vector<ScoreModel> models = { { BlinnPhongOf(exponent) }, { WardOf(exponent, gamma) },
     { LafortuneOf(exponent, gamma) } };
-  if (rule == "equal-exponents")
+  if (rule == "as-printed")
   {
+    models[1].Optics.Glossiness = 0.2;
     models[2].Optics.Glossiness = exponent;
   }
   if (rule == "equal-peaks")

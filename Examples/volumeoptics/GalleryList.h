@@ -47,11 +47,11 @@ struct ScoreScene
 
 // How the glossiness of the three models is matched; the first is the one to report, the others are for
 // comparison. docs/scores.md.
-//   equal-size       one size of highlight on a sphere: exponent n of Blinn-Phong, n/4 of Lafortune,
-//                    sqrt(2/n) of Ward; n = 80, or 10 where glossiness is low; gamma 10
-//   gamma-40         the same with gamma 40
-//   equal-exponents  Lafortune with Blinn-Phong's exponent
-//   equal-peaks      Ward's isotropic peak as high as the others'
+//   equal-size   one size of highlight on a sphere: exponent n of Blinn-Phong, n/4 of Lafortune,
+//                sqrt(2/n) of Ward; n = 80, or 10 where glossiness is low; gamma 10
+//   gamma-40     the same with gamma 40
+//   as-printed   Lafortune with Blinn-Phong's exponent, Ward with 0.2, as in the paper's figures
+//   equal-peaks  Ward's isotropic peak as high as the others'
 std::vector<std::string> ScoreRules();
 std::vector<ScoreScene> ScoreScenes(bool withCranium, const std::string& rule);
 

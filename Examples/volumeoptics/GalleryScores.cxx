@@ -59,6 +59,30 @@ std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, Galle
   return rows;
 }
 
+std::vector<ScoreRow> MeanScores(const std::vector<ScoreRow>& rows)
+{
+  std::vector<ScoreRow> means;
+  for (const ScoreRow& row : rows)
+  {
+    if (means.empty() || means.back().Scene != row.Scene)
+    {
+      means.push_back({ row.Scene, 0, {}, 0.0, 0.0, 0.0 });
+    }
+    ++means.back().View;
+    means.back().BlinnPhong += row.BlinnPhong;
+    means.back().Ward += row.Ward;
+    means.back().Lafortune += row.Lafortune;
+  }
+  for (ScoreRow& mean : means)
+  {
+    for (double* score : { &mean.BlinnPhong, &mean.Ward, &mean.Lafortune })
+    {
+      *score /= mean.View;
+    }
+  }
+  return means;
+}
+
 void WriteScores(const std::string& path, const std::vector<ScoreRow>& rows)
 {
   CsvWriter csv(path, { "scene", "view", "azimuth", "elevation", "blinn-phong", "ward", "lafortune" });
