@@ -273,7 +273,8 @@ GallerySection PackedSection()
 {
   GallerySection section{ "Packed ellipsoids: the scale of the anisotropy",
     "After Fig. 5: principal curvatures and a small radius follow each ellipsoid; a large radius follows "
-    "the columns that they form, also in the outermost, whose members are spheres. Below, from so far away "
+    "the columns that they form, also in the outermost, whose members are spheres. Ratios of curvatures are large: "
+    "these highlights are dim. Below, from so far away "
     "that the picture has 48 pixels a side (enlarged).",
     3, {} };
   for (const bool isNear : { true, false })
@@ -318,8 +319,8 @@ GallerySection StudySection()
   GallerySection section{ "Parameters of the estimate",
     "After Fig. 6, on an ellipsoid that fills the volume. The reference stretches the highlight strongly "
     "(gamma 60) or moderately (10). A radius too small sees no anisotropy, and a large gamma then shows its "
-    "errors; an interval too large takes in what is not the surface; too few samples are noise, which a "
-    "filter turns into blotches.",
+    "errors; an interval too large takes in what is not the surface; too few samples are noise, and a "
+    "filter wide enough to hide it blurs the frames, too.",
     4, {} };
   AmbientSettings reference = Primitive().Ambient;
   AmbientSettings smallRadius = reference, largeInterval = reference, fewSamples = reference;

@@ -148,6 +148,13 @@ void AddView(CLI::App& command, PictureOptions& options)
 }
 }
 
+// Frames without visible noise at the default scale of the anisotropy.
+PictureOptions::PictureOptions()
+{
+  this->Picture.Ambient.Samples = 300;
+  this->Picture.Ambient.FilterStandardDeviation = 1.5;
+}
+
 void PictureOptions::AddTo(CLI::App& command)
 {
   command
