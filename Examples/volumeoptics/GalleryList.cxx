@@ -77,25 +77,9 @@ void TakeWholeBall(AmbientSettings& ambient, double radius, double resolutionFac
   ambient.ResolutionFactor = resolutionFactor;
 }
 
-// Partial volumes at the border of the bone are dark: they trace its edges.
-TransferFunction CraniumFunction()
-{
-  TransferFunction function = Preset("cranium");
-  function.Opacity = { { -1024.0, 0.0 }, { -450.0, 0.0 }, { -300.0, 0.03 }, { -150.0, 0.06 }, { 0.0, 0.015 },
-    { 80.0, 0.005 }, { 140.0, 0.005 }, { 190.0, 0.1 }, { 230.0, 0.2 }, { 260.0, 0.35 }, { 400.0, 0.9 },
-    { 3100.0, 1.0 } };
-  function.Color = { { -1024.0, 0.8, 0.5, 0.4 }, { -150.0, 0.8, 0.5, 0.38 }, { 60.0, 0.5, 0.2, 0.16 },
-    { 190.0, 0.06, 0.03, 0.02 }, { 240.0, 0.2, 0.13, 0.08 }, { 320.0, 0.85, 0.72, 0.54 },
-    { 500.0, 0.92, 0.84, 0.7 }, { 3100.0, 1.0, 0.97, 0.9 } };
-  function.Ambient = 0.05;
-  function.Diffuse = 0.4;
-  function.Specular = 0.9;
-  return function;
-}
-
 PictureSettings Cranium()
 {
-  PictureSettings settings = Base(CraniumFunction(), -50.0, 3.0, 1.65);
+  PictureSettings settings = Base(Preset("cranium"), -50.0, 3.0, 1.65);
   settings.Lights = { { -14.0, 18.0, 1.0 } };
   settings.Step = 0.6;
   settings.Ambient.Radius = 8.0;
@@ -273,7 +257,8 @@ GallerySection PackedSection()
 {
   GallerySection section{ "Packed ellipsoids: the scale of the anisotropy",
     "After Fig. 5: principal curvatures and a small radius follow each ellipsoid; a large radius follows "
-    "the columns that they form, also in the outermost, whose members are spheres. Ratios of curvatures are large: "
+    "the columns that they form, also in the outermost, whose members are spheres. Ratios of curvatures are "
+    "large: "
     "these highlights are dim. Below, from so far away "
     "that the picture has 48 pixels a side (enlarged).",
     3, {} };

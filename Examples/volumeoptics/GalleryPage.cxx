@@ -71,8 +71,8 @@ void PutPicture(std::ostream& page, const GalleryPicture& picture, const Picture
 {
   const bool isEnlarged = picture.Settings.Size[0] < 100;
   page << "<figure><a href=\"" << result.File << "\"><img" << (isEnlarged ? " class=\"enlarged\"" : "")
-       << " src=\"" << result.File << "\" alt=\""
-       << picture.Title << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
+       << " src=\"" << result.File << "\" alt=\"" << picture.Title
+       << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
        << SettingsText(picture.Settings) << "<br>frame " << TimeText(result.FrameSeconds);
   if (result.PreparationSeconds > 0.0)
   {

@@ -18,7 +18,7 @@ struct GalleryContents
 {
   std::vector<GallerySection> Sections;
   std::map<std::string, PictureResult> Results; // by name of the picture
-  std::vector<ScoreRow> Scores; // empty: left out
+  std::vector<ScoreRow> Scores;                 // empty: left out
   std::string ScoreRule;
   std::string Renderer; // OpenGL's name of the machine
 };

@@ -37,8 +37,8 @@ void CheckExponent(Check& check, double n, double tolerance)
   const double blinnPhong =
     HalfWidth([&](const dvec3& l) { return optics::BlinnPhongReflection(Normal, l, l, n); });
   const double kappa = std::sqrt(2.0 / n);
-  const double ward =
-    HalfWidth([&](const dvec3& l) { return optics::WardReflection(Normal, Major, Minor, l, l, kappa, kappa); });
+  const double ward = HalfWidth(
+    [&](const dvec3& l) { return optics::WardReflection(Normal, Major, Minor, l, l, kappa, kappa); });
   const double weight = optics::LafortuneMajorWeight(0.0, 0.0);
   const double lafortune = HalfWidth(
     [&](const dvec3& l) { return optics::LafortuneReflection(Normal, Major, Minor, l, l, weight, n / 4.0); });
