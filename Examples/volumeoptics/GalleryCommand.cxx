@@ -24,6 +24,7 @@ struct GalleryOptions
   std::string Cranium = DefaultCranium;
   bool WithoutCranium = false;
   bool WithoutScores = false;
+  std::string ScoreRule = ScoreRules().front();
   bool Headless = false;
   bool Force = false;
 };
@@ -86,7 +87,8 @@ void MakeGallery(const GalleryOptions& options)
   DrawSections(contents, studio);
   if (!options.WithoutScores)
   {
-    contents.Scores = DrawScores(ScoreScenes(!options.WithoutCranium), studio);
+    contents.Scores = DrawScores(ScoreScenes(!options.WithoutCranium, options.ScoreRule), studio);
+    contents.ScoreRule = options.ScoreRule;
     WriteScores(options.Folder + "/scores.csv", contents.Scores);
   }
   contents.Renderer = studio.GetRendererName();
@@ -105,6 +107,11 @@ void AddGalleryCommand(CLI::App& program)
   command->add_option("--cranium", options->Cranium, "CT of the cranium (.inv3)")->capture_default_str();
   command->add_flag("--without-cranium", options->WithoutCranium, "Synthetic fields only");
   command->add_flag("--without-scores", options->WithoutScores, "Leave out the table of scores");
+  command
+    ->add_option("--score-rule", options->ScoreRule,
+      "How the scores match the models' glossiness; all but the first are for comparison (docs/scores.md)")
+    ->check(CLI::IsMember(ScoreRules()))
+    ->capture_default_str();
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
   command->add_flag("--force", options->Force, "Draw also what was drawn with the same settings");
   command->callback([options] { MakeGallery(*options); });

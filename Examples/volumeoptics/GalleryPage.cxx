@@ -25,6 +25,7 @@ nav a { margin-right: 1.2rem; color: inherit; }
 .row { display: grid; gap: 1rem; }
 figure { margin: 0; }
 img { display: block; width: 100%; border: 1px solid var(--line); border-radius: 4px; }
+img.enlarged { image-rendering: pixelated; }
 figcaption { padding: .4rem 0; font-size: .85rem; color: var(--dim); }
 figcaption b { display: block; font-size: .95rem; font-weight: 600; color: var(--ink); }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
@@ -68,8 +69,10 @@ std::string SettingsText(const PictureSettings& settings)
 
 void PutPicture(std::ostream& page, const GalleryPicture& picture, const PictureResult& result)
 {
-  page << "<figure><a href=\"" << result.File << "\"><img src=\"" << result.File << "\" alt=\""
-       << picture.Title << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
+  const bool isEnlarged = picture.Settings.Size[0] < 100;
+  page << "<figure><a href=\"" << result.File << "\"><img" << (isEnlarged ? " class=\"enlarged\"" : "")
+       << " src=\"" << result.File << "\" alt=\"" << picture.Title
+       << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
        << SettingsText(picture.Settings) << "<br>frame " << TimeText(result.FrameSeconds);
   if (result.PreparationSeconds > 0.0)
   {
@@ -90,23 +93,50 @@ void PutSection(std::ostream& page, std::size_t index, const GallerySection& sec
   page << "</div>\n";
 }
 
-void PutScores(std::ostream& page, const std::vector<ScoreRow>& rows)
+std::string Ratio(double score, double reference)
+{
+  return reference > 0.0 ? Number("%.2f", score / reference) : std::string("-");
+}
+
+void PutScoreCells(std::ostream& page, const ScoreRow& row)
+{
+  page << "<td>" << Number("%.4f", row.BlinnPhong) << "</td><td>" << Number("%.4f", row.Ward) << "</td><td>"
+       << Number("%.4f", row.Lafortune) << "</td><td>" << Ratio(row.Ward, row.BlinnPhong) << "</td><td>"
+       << Ratio(row.Lafortune, row.BlinnPhong) << "</td></tr>\n";
+}
+
+const char* const ScoreHeads = "<th>Blinn-Phong</th><th>Ward</th><th>Lafortune</th>"
+                               "<th>Ward / Blinn-Phong</th><th>Lafortune / Blinn-Phong</th></tr>\n";
+
+void PutMeanScores(std::ostream& page, const std::vector<ScoreRow>& rows)
+{
+  page << "<table><tr><th>Scene, mean of all views</th>" << ScoreHeads;
+  for (const ScoreRow& mean : MeanScores(rows))
+  {
+    page << "<tr><td>" << mean.Scene << "</td>";
+    PutScoreCells(page, mean);
+  }
+  page << "</table>\n";
+}
+
+void PutScores(std::ostream& page, const GalleryContents& contents)
 {
   page << "<h2 id=\"scores\">Structural score</h2>\n<p>Multi-scale homogeneity-weighted structural "
-          "dissimilarity, of each picture against the phase function alone: more is more structure. Every "
-          "view of every scene, at one setting a scene; after Table 2. The numbers are in "
-          "<a href=\"scores.csv\">scores.csv</a>.</p>\n<table><tr><th>Scene</th><th>View</th>"
-          "<th>Azimuth</th><th>Elevation</th><th>Blinn-Phong</th><th>Ward</th><th>Lafortune</th>"
-          "<th>Ward / Blinn-Phong</th><th>Lafortune / Blinn-Phong</th></tr>\n";
-  for (const ScoreRow& row : rows)
+          "dissimilarity of each picture against the phase function alone, after Table 2: more is more "
+          "structure. The rule, '"
+       << contents.ScoreRule
+       << "', was fixed before the first measurement; scenes, lights, coefficients and the sampling are "
+          "the same for all models, and every view is listed (<a href=\"scores.csv\">scores.csv</a>). By the "
+          "rule 'equal-size' the models have one size of highlight on a sphere: Blinn-Phong's exponent n, "
+          "Lafortune's n/4, Ward's roughness sqrt(2/n), n = 80, or 10 for low glossiness; gamma is 10 "
+          "everywhere.</p>\n";
+  PutMeanScores(page, contents.Scores);
+  page << "<p></p><table><tr><th>Scene</th><th>View</th><th>Azimuth</th><th>Elevation</th>" << ScoreHeads;
+  for (const ScoreRow& row : contents.Scores)
   {
-    const auto ratio = [&](double score) {
-      return row.BlinnPhong > 0.0 ? Number("%.2f", score / row.BlinnPhong) : std::string("-");
-    };
     page << "<tr><td>" << row.Scene << "</td><td>" << row.View << "</td><td>" << row.Camera.Azimuth
-         << "</td><td>" << row.Camera.Elevation << "</td><td>" << Number("%.4f", row.BlinnPhong)
-         << "</td><td>" << Number("%.4f", row.Ward) << "</td><td>" << Number("%.4f", row.Lafortune)
-         << "</td><td>" << ratio(row.Ward) << "</td><td>" << ratio(row.Lafortune) << "</td></tr>\n";
+         << "</td><td>" << row.Camera.Elevation << "</td>";
+    PutScoreCells(page, row);
   }
   page << "</table>\n";
 }
@@ -129,7 +159,10 @@ void WriteGalleryPage(const std::string& folder, const GalleryContents& contents
   {
     PutSection(page, i, contents.Sections[i], contents.Results);
   }
-  PutScores(page, contents.Scores);
+  if (!contents.Scores.empty())
+  {
+    PutScores(page, contents);
+  }
   page << "</body></html>\n";
   const std::string path = folder + "/index.html";
   if (!(std::ofstream(path) << page.str()))

@@ -18,9 +18,9 @@ struct GalleryContents
 {
   std::vector<GallerySection> Sections;
   std::map<std::string, PictureResult> Results; // by name of the picture
-  std::vector<ScoreRow> Scores;
+  std::vector<ScoreRow> Scores;                 // empty: left out
+  std::string ScoreRule;
   std::string Renderer; // OpenGL's name of the machine
-  double Seconds = 0.0;
 };
 
 void WriteGalleryPage(const std::string& folder, const GalleryContents& contents);

@@ -46,16 +46,41 @@ std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, Galle
       {
         PictureSettings settings = scene.Settings;
         settings.Camera = row.Camera;
-        settings.Optics = scene.Models[model];
+        settings.Optics = scene.Models[model].Optics;
+        settings.Function.Specular *= scene.Models[model].Highlights;
         const std::string name =
           "score-" + FileNameOf(scene.Name) + "-" + std::to_string(row.View) + "-" + settings.Optics.Model;
-        *scores[model] = studio.Draw(name, scene.Field, settings).Score;
+        *scores[model] = studio.Draw(name, scene.Field, settings, GalleryStudio::Untimed).Score;
       }
       rows.push_back(row);
       told(scene.Name);
     }
   }
   return rows;
+}
+
+std::vector<ScoreRow> MeanScores(const std::vector<ScoreRow>& rows)
+{
+  std::vector<ScoreRow> means;
+  for (const ScoreRow& row : rows)
+  {
+    if (means.empty() || means.back().Scene != row.Scene)
+    {
+      means.push_back({ row.Scene, 0, {}, 0.0, 0.0, 0.0 });
+    }
+    ++means.back().View;
+    means.back().BlinnPhong += row.BlinnPhong;
+    means.back().Ward += row.Ward;
+    means.back().Lafortune += row.Lafortune;
+  }
+  for (ScoreRow& mean : means)
+  {
+    for (double* score : { &mean.BlinnPhong, &mean.Ward, &mean.Lafortune })
+    {
+      *score /= mean.View;
+    }
+  }
+  return means;
 }
 
 void WriteScores(const std::string& path, const std::vector<ScoreRow>& rows)

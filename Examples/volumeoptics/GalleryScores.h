@@ -25,6 +25,9 @@ struct ScoreRow
 std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, GalleryStudio& studio,
   const std::function<void(const std::string&)>& told);
 
+// One row a scene, in their order: the means of all views. View counts them.
+std::vector<ScoreRow> MeanScores(const std::vector<ScoreRow>& rows);
+
 void WriteScores(const std::string& path, const std::vector<ScoreRow>& rows);
 
 #endif

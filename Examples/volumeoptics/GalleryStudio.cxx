@@ -44,6 +44,7 @@ PictureSettings ReferenceOf(PictureSettings picture)
   picture.Optics = OpticsSettings{};
   picture.Optics.Model = "none";
   picture.Ambient = AmbientSettings{};
+  picture.Function.Specular = 0.0;
   return picture;
 }
 }
@@ -66,15 +67,15 @@ GalleryStudio::GalleryStudio(const std::string& folder, const std::string& crani
 GalleryStudio::~GalleryStudio() = default;
 
 PictureResult GalleryStudio::Draw(
-  const std::string& name, const std::string& field, const PictureSettings& picture)
+  const std::string& name, const std::string& field, const PictureSettings& picture, Timing timing)
 {
   const PictureSettings reference = ReferenceOf(picture);
   const std::string file = "images/" + name + ".png";
   const std::string referenceFile = "images/reference-" + HashOf(KeyOf(field, reference)) + ".png";
-  PictureResult result = this->DrawOnly(file, field, picture);
+  PictureResult result = this->DrawOnly(file, field, picture, timing);
   if (result.Reference != referenceFile)
   {
-    this->DrawOnly(referenceFile, field, reference);
+    this->DrawOnly(referenceFile, field, reference, Untimed);
     result.Reference = referenceFile;
     result.Score = StructuralScore(this->Folder + "/" + file, this->Folder + "/" + referenceFile);
     this->Known[file]["result"] = result;
@@ -84,7 +85,7 @@ PictureResult GalleryStudio::Draw(
 }
 
 PictureResult GalleryStudio::DrawOnly(
-  const std::string& file, const std::string& field, const PictureSettings& picture)
+  const std::string& file, const std::string& field, const PictureSettings& picture, Timing timing)
 {
   const json key = KeyOf(field, picture);
   const auto known = this->Known.find(file);
@@ -99,7 +100,7 @@ PictureResult GalleryStudio::DrawOnly(
   scene.Render();
   result.File = file;
   result.PreparationSeconds = scene.GetPreparationSeconds();
-  result.FrameSeconds = scene.Render();
+  result.FrameSeconds = timing == Timed ? scene.Render() : 0.0;
   scene.WritePng(this->Folder + "/" + file);
   this->Known["renderer"] = { { "name", scene.GetRendererName() } };
   this->Known[file] = { { "settings", key }, { "result", result }, { "thisRun", true } };

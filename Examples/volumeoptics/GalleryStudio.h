@@ -31,14 +31,22 @@ public:
   GalleryStudio(const std::string& folder, const std::string& cranium, bool headless, bool force);
   ~GalleryStudio();
 
+  enum Timing
+  {
+    Untimed,
+    Timed // draws twice: the first frame includes the preparation
+  };
+
   // Draws the picture and its reference, unless both are there with the same settings.
-  PictureResult Draw(const std::string& name, const std::string& field, const PictureSettings& picture);
+  PictureResult Draw(
+    const std::string& name, const std::string& field, const PictureSettings& picture, Timing timing = Timed);
   // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
   std::string GetRendererName() const;
   int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }
 
 private:
-  PictureResult DrawOnly(const std::string& file, const std::string& field, const PictureSettings& picture);
+  PictureResult DrawOnly(
+    const std::string& file, const std::string& field, const PictureSettings& picture, Timing timing);
   VolumeScene& Stage(const std::string& field);
   void Remember();
 

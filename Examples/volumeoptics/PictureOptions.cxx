@@ -148,6 +148,13 @@ void AddView(CLI::App& command, PictureOptions& options)
 }
 }
 
+// Frames without visible noise at the default scale of the anisotropy.
+PictureOptions::PictureOptions()
+{
+  this->Picture.Ambient.Samples = 300;
+  this->Picture.Ambient.FilterStandardDeviation = 1.5;
+}
+
 void PictureOptions::AddTo(CLI::App& command)
 {
   command
@@ -182,8 +189,8 @@ Volume PictureOptions::Load()
   }
   if (this->LightValues.size() == 2)
   {
-    this->Picture.Light.Azimuth = this->LightValues[0];
-    this->Picture.Light.Elevation = this->LightValues[1];
+    this->Picture.Lights[0].Azimuth = this->LightValues[0];
+    this->Picture.Lights[0].Elevation = this->LightValues[1];
   }
   vtkNew<vtkNamedColors> colors;
   const vtkColor4ub color = this->BackgroundText[0] == '#' ? colors->HTMLColorToRGBA(this->BackgroundText)

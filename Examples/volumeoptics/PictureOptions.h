@@ -15,6 +15,8 @@
 
 struct PictureOptions
 {
+  PictureOptions();
+
   PictureSettings Picture;
   std::string File;
   std::string FunctionFile;

@@ -49,7 +49,7 @@ struct PictureSettings
   OpticsSettings Optics;
   AmbientSettings Ambient;
   CameraSettings Camera;
-  LightSettings Light;
+  std::vector<LightSettings> Lights = { LightSettings{} };
   TransferFunction Function;
   std::array<int, 2> Size = { 1024, 1024 };
   std::array<double, 3> Background = { 1.0, 1.0, 1.0 };
@@ -64,6 +64,6 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-  PictureSettings, Optics, Ambient, Camera, Light, Function, Size, Background, Step, Quality)
+  PictureSettings, Optics, Ambient, Camera, Lights, Function, Size, Background, Step, Quality)
 
 #endif

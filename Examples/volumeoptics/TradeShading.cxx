@@ -87,7 +87,7 @@ PictureSettings Picture(const ShadingTradeOptions& options)
   picture.Optics.Model = options.Model;
   picture.Ambient.Radius = 6.0;
   picture.Camera = { 30.0, 15.0, 0.0, 1.3, {}, {}, {} };
-  picture.Light = { -20.0, 25.0, 1.0 };
+  picture.Lights = { { -20.0, 25.0, 1.0 } };
   picture.Size = { options.Size, options.Size };
   picture.Background = { 0.0, 0.0, 0.0 };
   return picture;

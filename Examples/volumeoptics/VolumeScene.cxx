@@ -66,8 +66,6 @@ VolumeScene::VolumeScene(const Volume& volume, WindowKind kind)
   this->Actor->SetProperty(this->Property);
   this->Renderer->AddVolume(this->Actor);
   this->Renderer->AutomaticLightCreationOff();
-  this->Light->SetLightTypeToCameraLight();
-  this->Renderer->AddLight(this->Light);
   this->Window->SetMultiSamples(0);
   this->Window->AddRenderer(this->Renderer);
 
@@ -116,7 +114,7 @@ void VolumeScene::Apply(const PictureSettings& picture)
   this->Window->SetSize(picture.Size[0], picture.Size[1]);
   this->Renderer->SetBackground(picture.Background.data());
   this->ApplyCamera(picture.Camera);
-  this->ApplyLight(picture.Light);
+  this->ApplyLights(picture.Lights);
 }
 
 void VolumeScene::ApplyOptics(const OpticsSettings& optics)
@@ -207,15 +205,22 @@ void VolumeScene::ApplyCamera(const CameraSettings& settings)
   this->Renderer->ResetCameraClippingRange();
 }
 
-// Direction from the focal point to the light, in the frame of a camera light: camera at z = 1.
-void VolumeScene::ApplyLight(const LightSettings& settings)
+// Directions from the focal point to the lights, in the frame of a camera light: camera at z = 1.
+void VolumeScene::ApplyLights(const std::vector<LightSettings>& lights)
 {
-  const double azimuth = vtkMath::RadiansFromDegrees(settings.Azimuth);
-  const double elevation = vtkMath::RadiansFromDegrees(settings.Elevation);
-  this->Light->SetPosition(
-    std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation));
-  this->Light->SetFocalPoint(0.0, 0.0, 0.0);
-  this->Light->SetIntensity(settings.Intensity);
+  this->Renderer->RemoveAllLights();
+  for (const LightSettings& settings : lights)
+  {
+    const double azimuth = vtkMath::RadiansFromDegrees(settings.Azimuth);
+    const double elevation = vtkMath::RadiansFromDegrees(settings.Elevation);
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(
+      std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation));
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->SetIntensity(settings.Intensity);
+    this->Renderer->AddLight(light);
+  }
 }
 
 vtkRenderWindow* VolumeScene::GetWindow()

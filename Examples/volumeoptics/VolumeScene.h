@@ -16,7 +16,6 @@
 #include <string>
 
 class vtkImageData;
-class vtkLight;
 class vtkOpticsVolumeMapper;
 class vtkOpticsVolumeProperty;
 class vtkRenderer;
@@ -61,13 +60,12 @@ private:
   void ApplyAmbient(const AmbientSettings& ambient);
   void ApplyQuality(const std::string& quality);
   void ApplyCamera(const CameraSettings& camera);
-  void ApplyLight(const LightSettings& light);
+  void ApplyLights(const std::vector<LightSettings>& lights);
   static void OnPreparation(vtkObject*, unsigned long event, void* scene, void* data);
 
   Volume Data;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkLight> Light;
   vtkNew<vtkVolume> Actor;
   vtkNew<vtkOpticsVolumeMapper> Mapper;
   vtkNew<vtkOpticsVolumeProperty> Property;

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: VolumeOptics contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Makes the pictures of this folder from those of a gallery (default: gallery/ of the repository, which
+# ./quickstart.sh draws). Needs ImageMagick.
+
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cd "${1:-$here/../../gallery}/images"
+
+row() { # NAME SIZE LABEL=PICTURE ...
+  local name=$1 size=$2 arguments=() item
+  shift 2
+  for item in "$@"; do
+    arguments+=(-label "${item%%=*}" "${item#*=}.png")
+  done
+  montage -font DejaVu-Sans -pointsize 13 "${arguments[@]}" -tile "$#x1" -geometry "${size}x${size}+3+3" miff:- |
+    convert - +dither -colors 128 -strip "PNG8:$here/$name.png"
+}
+
+row cranium 300 "stock VTK=cranium-vtk" "phase function=cranium-none" "Blinn-Phong=cranium-blinn-phong-high" \
+  "Ward=cranium-ward-high" "Lafortune=cranium-lafortune-high"
+row skin 400 "phase function=skin-none" "Blinn-Phong=skin-blinn-phong" "Lafortune=skin-lafortune"
+row marschner-lobb 400 "Blinn-Phong=marschner-lobb-blinn-phong" \
+  "Lafortune, gamma 10=marschner-lobb-lafortune-10" "Lafortune, gamma 60=marschner-lobb-lafortune-60"
+row vortex-tubes 400 "phase function=tubes-none" "Blinn-Phong=tubes-blinn-phong" "Lafortune=tubes-lafortune"
