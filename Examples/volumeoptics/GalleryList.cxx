@@ -372,7 +372,7 @@ std::vector<GallerySection> GalleryList(bool withCranium)
 
 std::vector<std::string> ScoreRules()
 {
-  return { "equal-size", "gamma-40", "as-printed", "equal-peaks" };
+  return { "equal-size", "gamma-40", "as-printed", "equal-peaks", "paper-weights" };
 }
 
 // Blinn-Phong, Ward, Lafortune.
@@ -413,6 +413,10 @@ std::vector<ScoreScene> ScoreScenes(bool withCranium, const std::string& rule)
   {
     scene.Settings.Size = { ScorePictureSize, ScorePictureSize };
     scene.Settings.Ambient = sampling;
+    if (rule == "paper-weights")
+    {
+      scene.Settings.Function.Specular = 4.0 * vtkMath::Pi() * scene.Settings.Function.Diffuse;
+    }
     const CameraSettings front = scene.Settings.Camera;
     for (const auto& [azimuth, elevation] :
       { std::array<double, 2>{ 0.0, 0.0 }, { 40.0, 0.0 }, { -40.0, 10.0 }, { 80.0, 5.0 }, { 0.0, 30.0 } })

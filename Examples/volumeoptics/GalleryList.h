@@ -52,6 +52,8 @@ struct ScoreScene
 //   gamma-40     the same with gamma 40
 //   as-printed   Lafortune with Blinn-Phong's exponent, Ward with 0.2, as in the paper's figures
 //   equal-peaks  Ward's isotropic peak as high as the others'
+//   paper-weights  equal-size, with highlights 4 pi times the diffuse coefficient: the paper's phase
+//                function integrates to 1 where VTK's integrates to 4 pi, and its kd is 1
 std::vector<std::string> ScoreRules();
 std::vector<ScoreScene> ScoreScenes(bool withCranium, const std::string& rule);
 
