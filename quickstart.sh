@@ -19,32 +19,6 @@ step() {
   echo "== $1 (${SECONDS} s)" >&2
 }
 
-missing_packages() {
-  local package
-  sed '/^# To test/,$d; s/#.*//' Module/debian-packages.txt | while read -r package; do
-    if [ -n "$package" ] &&
-      ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed'; then
-      echo "$package"
-    fi
-  done
-}
-
-install_packages() {
-  local packages sudo=()
-  mapfile -t packages < <(missing_packages)
-  [ ${#packages[@]} -gt 0 ] || return 0
-  if [ "$(id -u)" -ne 0 ]; then
-    if ! command -v sudo >/dev/null; then
-      echo "Install these packages first: ${packages[*]}" >&2
-      exit 1
-    fi
-    sudo=(sudo)
-  fi
-  "${sudo[@]}" apt-get update -q
-  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y --no-install-recommends "${packages[@]}"
-}
-
 # Minimal images of Debian leave /usr/share/doc out: then the CT is unpacked beside the build.
 find_cranium() {
   cranium=$examples
@@ -67,7 +41,7 @@ build_program() {
 }
 
 step "packages"
-install_packages
+Module/install-packages.sh --without-tests
 step "build"
 build_program
 find_cranium

@@ -15,32 +15,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 build=build-ci
 failures=()
 
-missing_packages() {
-  local package
-  sed 's/#.*//' Module/debian-packages.txt | while read -r package; do
-    if [ -n "$package" ] &&
-      ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed'; then
-      echo "$package"
-    fi
-  done
-}
-
-install_packages() {
-  local packages sudo=()
-  mapfile -t packages < <(missing_packages)
-  [ ${#packages[@]} -gt 0 ] || return 0
-  if [ "$(id -u)" -ne 0 ]; then
-    if ! command -v sudo >/dev/null; then
-      echo "Install these packages first: ${packages[*]}" >&2
-      exit 1
-    fi
-    sudo=(sudo)
-  fi
-  "${sudo[@]}" apt-get update -q
-  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -q -y --no-install-recommends "${packages[@]}"
-}
-
 # step NAME COMMAND...: a failure is remembered, so that the steps after it still run.
 step() {
   local name=$1
@@ -85,7 +59,7 @@ closing_lines() {
   sed -n '/tests passed/,$p' "$2"
 }
 
-step "packages" install_packages
+step "packages" Module/install-packages.sh
 [ ${#failures[@]} -eq 0 ] || exit 1
 step "format" Module/check-style.sh
 step "build" build
