@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 class vtkImageData;
 class vtkOpticsVolumeMapper;
@@ -50,7 +51,10 @@ public:
   double GetPreparationSeconds() const { return this->PreparationSeconds; }
   // OpenGL's name of what draws, after the first frame.
   std::string GetRendererName();
-  void SetPreparationCallback(std::function<void(double)> callback) { this->OnProgress = callback; }
+  void SetPreparationCallback(std::function<void(double)> callback)
+  {
+    this->OnProgress = std::move(callback);
+  }
   vtkRenderWindow* GetWindow();
   vtkRenderer* GetRenderer() { return this->Renderer; }
   vtkOpticsVolumeMapper* GetMapper() { return this->Mapper; }

@@ -125,7 +125,7 @@ void CheckMemory(Check& check)
   scene.Render();
   check.That(warnings.Texts.size() == 1,
     "a limit of memory is said " + std::to_string(warnings.Texts.size()) + " times, not once");
-  check.AtMost("KiB within the limit", scene.Optics->GetTermMemorySize(), limit / 1024 + 8);
+  check.AtMost("KiB within the limit", scene.Optics->GetTermMemorySize(), limit / 1024.0 + 8.0);
   check.AtMost("KiB within the limit", scene.Optics->GetTermMemorySize(), whole / 2.0);
   check.That(events.Starts == 2, "the limit does not compute the frames once");
   check.That(AreFinite(scene.RenderFloat()), "within the limit a pixel is not finite");

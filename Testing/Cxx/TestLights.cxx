@@ -86,8 +86,10 @@ std::array<double, 2> Centre(const std::vector<float>& pixels, int width)
   {
     const double weight = std::pow(pixels[4 * i + 1], 4);
     sum += weight;
-    x += weight * (i % width);
-    y += weight * static_cast<double>(i / width);
+    const std::size_t column = i % width;
+    const std::size_t row = i / width;
+    x += weight * static_cast<double>(column);
+    y += weight * static_cast<double>(row);
   }
   return { x / sum + 0.5, y / sum + 0.5 };
 }
