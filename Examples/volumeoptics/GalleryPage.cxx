@@ -49,7 +49,7 @@ std::string SettingsText(const PictureSettings& settings)
   std::string text = optics.Model;
   if (optics.Glossiness >= 0.0)
   {
-    text += Number(", kappa %g", optics.Glossiness);
+    text += Number(", kappa %.3g", optics.Glossiness);
   }
   if (anisotropic)
   {
@@ -121,15 +121,17 @@ void PutMeanScores(std::ostream& page, const std::vector<ScoreRow>& rows)
 
 void PutScores(std::ostream& page, const GalleryContents& contents)
 {
-  page << "<h2 id=\"scores\">Structural score</h2>\n<p>Multi-scale homogeneity-weighted structural "
-          "dissimilarity of each picture against the phase function alone, after Table 2: more is more "
-          "structure. The rule, '"
-       << contents.ScoreRule
-       << "', was fixed before the first measurement; scenes, lights, coefficients and the sampling are "
-          "the same for all models, and every view is listed (<a href=\"scores.csv\">scores.csv</a>). By the "
-          "rule 'equal-size' the models have one size of highlight on a sphere: Blinn-Phong's exponent n, "
-          "Lafortune's n/4, Ward's roughness sqrt(2/n), n = 80, or 10 for low glossiness; gamma is 10 "
-          "everywhere.</p>\n";
+  page
+    << "<h2 id=\"scores\">Structural score</h2>\n<p>Multi-scale homogeneity-weighted structural "
+       "dissimilarity of each picture against the phase function alone, after Table 2: more is more "
+       "structure. The models are matched by the rule '"
+    << contents.ScoreRule
+    << "', and scenes, lights, coefficients and the sampling are the same for all models; every view is "
+       "listed (<a href=\"scores.csv\">scores.csv</a>). By the rule 'equal-size', fixed before the first "
+       "measurement, the models have one size of highlight on a sphere: Blinn-Phong's exponent n, "
+       "Lafortune's n/4, Ward's roughness sqrt(2/n), n = 80, or 10 for low glossiness; gamma is 10. Ward's "
+       "lobe is normalised, the others' are not: it is dimmer where it is wide or drawn out far, and "
+       "scores less there (docs/scores.md).</p>\n";
   PutMeanScores(page, contents.Scores);
   page << "<p></p><table><tr><th>Scene</th><th>View</th><th>Azimuth</th><th>Elevation</th>" << ScoreHeads;
   for (const ScoreRow& row : contents.Scores)

@@ -31,6 +31,7 @@ void View(PictureOptions& options)
   VolumeScene scene(volume, WindowKind::Visible);
   scene.Apply(options.Picture);
   scene.GetMapper()->AutoAdjustSampleDistancesOn();
+  scene.GetMapper()->UseJitteringOn(); // noise in place of contour lines where steps are coarse
   scene.GetWindow()->SetWindowName(("volumeoptics: " + volume.Name).c_str());
   vtkNew<vtkRenderWindowInteractor> interactor;
   vtkNew<vtkInteractorStyleTrackballCamera> style;
