@@ -9,11 +9,13 @@
 #include "vtkPrincipalCurvatureFilter.h"
 #include "vtkSobelNormalFilter.h"
 
+#include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -123,6 +125,24 @@ bool Run(vtkAlgorithm* filter, Watch watch)
   }
   return !isAborted;
 }
+}
+
+//------------------------------------------------------------------------------
+FrameProvider::Connection::Connection(vtkAlgorithmOutput* output)
+  : Producer(output ? output->GetProducer() : nullptr)
+  , Port(output ? output->GetIndex() : 0)
+{
+}
+
+//------------------------------------------------------------------------------
+FrameProvider::Connection::Connection(vtkImageData* image)
+{
+  if (image)
+  {
+    auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
+    producer->SetOutput(image);
+    this->Producer = producer;
+  }
 }
 
 //------------------------------------------------------------------------------

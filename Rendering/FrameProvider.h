@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkWeakPointer.h"
 
+class vtkAlgorithmOutput;
 class vtkAmbientCovarianceFilter;
 class vtkPrincipalCurvatureFilter;
 class vtkSobelNormalFilter;
@@ -43,7 +44,11 @@ public:
   /** An output of a pipeline; unlike vtkAlgorithmOutput it keeps the producer. */
   struct Connection
   {
-    vtkSmartPointer<vtkAlgorithm> Producer;
+    Connection() = default;
+    explicit Connection(vtkAlgorithmOutput* output);
+    explicit Connection(vtkImageData* image);
+
+    vtkSmartPointer<vtkAlgorithm> Producer; // null: none
     int Port = 0;
   };
   Connection NormalsInput;

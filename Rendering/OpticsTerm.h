@@ -8,31 +8,13 @@
 #ifndef OpticsTerm_h
 #define OpticsTerm_h
 
+#include "OpticsScene.h"
 #include "OpticsShaderTable.h"
 
 #include <string>
 
-class vtkDataArray;
-class vtkOpenGLRenderWindow;
-class vtkOpticsVolumeMapper;
-class vtkOpticsVolumeProperty;
-class vtkRenderer;
 class vtkShaderProgram;
-class vtkVolume;
 class vtkWindow;
-
-/** What one frame is drawn with. */
-struct OpticsScene
-{
-  vtkOpticsVolumeMapper* Mapper;
-  vtkRenderer* Renderer;
-  vtkVolume* Volume;
-  vtkOpticsVolumeProperty* Optics;
-  vtkOpenGLRenderWindow* Window;
-  vtkDataArray* Scalars;
-  bool CellScalars;
-  int OpacityComponent; // the component of Scalars that opacity depends on
-};
 
 class OpticsTerm
 {

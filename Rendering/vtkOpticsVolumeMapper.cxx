@@ -3,10 +3,11 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
-#include "ParameterRange.h"
 #include "DefaultOptics.h"
 #include "LightUniforms.h"
 #include "OpticsFactory.h"
+#include "ParameterRange.h"
+#include "QualityPresets.h"
 #include "ReflectanceTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -14,14 +15,12 @@
 #include "vtkPrincipalCurvatureFilter.h"
 #include "vtkSobelNormalFilter.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkTrivialProducer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeInputHelper.h"
 #include "vtkVolumeTexture.h"
@@ -37,8 +36,6 @@ vtkStandardNewMacro(vtkOpticsVolumeMapper);
 class vtkOpticsVolumeMapper::Implementation
 {
 public:
-  vtkOpticsVolumeProperty* FindOptics(vtkVolume* volume);
-  OpticsScene GetScene(vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
   void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
 
@@ -50,73 +47,6 @@ public:
   std::set<std::string> Said;
   std::string ActiveTerms;
 };
-
-namespace
-{
-// Points on the curves of docs/accuracy.md, in the order of QualityType.
-struct Preset
-{
-  double StepInVoxels;
-  double ResolutionFactor;
-  int Bits;
-  int Samples;
-  double FilterStandardDeviation; // voxels
-};
-const Preset Presets[] = { {}, { 1.0, 0.5, 8, 100, 1.0 }, { 0.5, 1.0, 8, 1000, 1.0 },
-  { 0.25, 1.0, 16, 4096, 0.0 } };
-
-// Opacity depends on the first component, or on the last one where the components belong together.
-int OpacityComponent(vtkDataArray* scalars, vtkVolumeProperty* property)
-{
-  const int components = scalars->GetNumberOfComponents();
-  return components == 1 || property->GetIndependentComponents() ? 0 : components - 1;
-}
-
-FrameProvider::Connection OutputOf(vtkAlgorithmOutput* output)
-{
-  return output ? FrameProvider::Connection{ output->GetProducer(), output->GetIndex() }
-                : FrameProvider::Connection();
-}
-
-FrameProvider::Connection OutputOf(vtkImageData* image)
-{
-  if (!image)
-  {
-    return FrameProvider::Connection();
-  }
-  auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
-  producer->SetOutput(image);
-  return FrameProvider::Connection{ producer, 0 };
-}
-}
-
-//------------------------------------------------------------------------------
-vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::Implementation::FindOptics(vtkVolume* volume)
-{
-  if (auto* own = vtkOpticsVolumeProperty::SafeDownCast(volume->GetProperty()))
-  {
-    return own;
-  }
-  return this->Optics ? this->Optics.Get() : DefaultOptics::Get();
-}
-
-//------------------------------------------------------------------------------
-OpticsScene vtkOpticsVolumeMapper::Implementation::GetScene(
-  vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-{
-  OpticsScene scene = {};
-  scene.Mapper = mapper;
-  scene.Renderer = renderer;
-  scene.Volume = volume;
-  scene.Optics = this->FindOptics(volume);
-  scene.Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  int cellFlag = 0;
-  scene.Scalars = GetScalars(mapper->GetDataSetInput(), mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
-    mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
-  scene.CellScalars = cellFlag == 1;
-  scene.OpacityComponent = scene.Scalars ? OpacityComponent(scene.Scalars, volume->GetProperty()) : 0;
-  return scene;
-}
 
 //------------------------------------------------------------------------------
 std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const OpticsScene& scene)
@@ -179,7 +109,7 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
     this->Say("The renderer has more lights than the " + std::to_string(LightLimit::Largest) +
       " that this VTK's volume shader holds: the last ones are left out.");
   }
-  const OpticsScene scene = this->Terms->GetScene(this, renderer, volume);
+  const OpticsScene scene = MakeOpticsScene(this, renderer, volume);
   const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
   if (active.empty())
   {
@@ -255,28 +185,28 @@ vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::GetOptics()
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetNormalsInputConnection(vtkAlgorithmOutput* output)
 {
-  this->Terms->Reflectance.Frames.NormalsInput = OutputOf(output);
+  this->Terms->Reflectance.Frames.NormalsInput = FrameProvider::Connection(output);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetNormalsInputData(vtkImageData* normals)
 {
-  this->Terms->Reflectance.Frames.NormalsInput = OutputOf(normals);
+  this->Terms->Reflectance.Frames.NormalsInput = FrameProvider::Connection(normals);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetAnisotropyInputConnection(vtkAlgorithmOutput* output)
 {
-  this->Terms->Reflectance.Frames.AnisotropyInput = OutputOf(output);
+  this->Terms->Reflectance.Frames.AnisotropyInput = FrameProvider::Connection(output);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
 {
-  this->Terms->Reflectance.Frames.AnisotropyInput = OutputOf(anisotropy);
+  this->Terms->Reflectance.Frames.AnisotropyInput = FrameProvider::Connection(anisotropy);
   this->Modified();
 }
 
@@ -320,7 +250,7 @@ void vtkOpticsVolumeMapper::SetQuality(int quality)
     this->StepInVoxels = 0.0;
     return;
   }
-  const Preset& preset = Presets[this->Quality];
+  const QualityPreset& preset = QualityPresets[this->Quality];
   this->StepInVoxels = preset.StepInVoxels;
   this->SetFrameResolutionFactor(preset.ResolutionFactor);
   this->SetFramePrecision(preset.Bits);
