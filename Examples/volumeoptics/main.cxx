@@ -27,6 +27,8 @@ Examples:
 Exit codes: 0 done, 1 a file or the machine is at fault, 2 the command line is.)";
 }
 
+// What throws outside the try block is a mistake in the options' own text: let it end the program.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv)
 {
   CLI::App program(

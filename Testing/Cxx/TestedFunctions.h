@@ -157,6 +157,7 @@ private:
   static std::vector<double> Powers(double from, double to, int count)
   {
     std::vector<double> values;
+    values.reserve(count);
     for (int i = 0; i < count; ++i)
     {
       values.push_back(from * std::pow(to / from, i / (count - 1.0)));
