@@ -372,7 +372,7 @@ std::vector<GallerySection> GalleryList(bool withCranium)
 
 std::vector<std::string> ScoreRules()
 {
-  return { "equal-size", "gamma-40", "as-printed", "equal-peaks", "paper-weights", "bright-16", "bright-64" };
+  return { "equal-size", "gamma-40", "as-printed", "equal-peaks", "paper-weights", "saturated" };
 }
 
 // Blinn-Phong, Ward, Lafortune.
@@ -417,9 +417,9 @@ std::vector<ScoreScene> ScoreScenes(bool withCranium, const std::string& rule)
     {
       scene.Settings.Function.Specular = 4.0 * vtkMath::Pi() * scene.Settings.Function.Diffuse;
     }
-    if (rule.rfind("bright-", 0) == 0)
+    if (rule == "saturated")
     {
-      scene.Settings.Function.Specular = std::stod(rule.substr(7));
+      scene.Settings.Function.Specular = 64.0;
     }
     const CameraSettings front = scene.Settings.Camera;
     for (const auto& [azimuth, elevation] :

@@ -54,6 +54,7 @@ struct ScoreScene
 //   equal-peaks  Ward's isotropic peak as high as the others'
 //   paper-weights  equal-size, with highlights 4 pi times the diffuse coefficient: the paper's phase
 //                function integrates to 1 where VTK's integrates to 4 pi, and its kd is 1
+//   saturated    equal-size, with highlights so bright (64 times) that all of them are white
 std::vector<std::string> ScoreRules();
 std::vector<ScoreScene> ScoreScenes(bool withCranium, const std::string& rule);
 
