@@ -106,6 +106,7 @@ void CheckAbort(
 {
   const std::string name = std::string(filter->GetClassName()) + " " + setting;
   Watch watch;
+  watch.AbortAt = 0.3; // or, of a filter that is slow, after a while
   watch.AbortAfter = 0.3;
   Observe(filter, watch);
   filter->SetInputData(image);

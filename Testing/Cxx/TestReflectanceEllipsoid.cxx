@@ -68,7 +68,7 @@ void AddView(vtkRenderWindow* window, vtkAnalyticVolumeSource* field, int index)
   volume->SetProperty(property);
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
-  const double x = 0.5 * (index % 2), y = 0.5 - 0.5 * (index / 2);
+  const double x = index % 2 == 0 ? 0.0 : 0.5, y = index < 2 ? 0.5 : 0.0;
   renderer->SetViewport(x, y, x + 0.5, y + 0.5);
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();
