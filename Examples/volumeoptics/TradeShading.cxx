@@ -135,6 +135,7 @@ void TradeShading(const ShadingTradeOptions& options)
   const Volume volume = GalleryField(options.Field, "");
   VolumeScene scene(volume, OffScreenWindow(options.Headless));
   PictureSettings picture = Picture(options);
+  scene.GetMapper()->SetMaxMemoryInBytes(vtkIdType(1) << 31); // no knob is turned by a lack of memory
   scene.Apply(picture);
   scene.Render();
   const reference::Image truth = [&] {
