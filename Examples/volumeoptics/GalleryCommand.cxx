@@ -5,6 +5,7 @@
 
 #include "Commands.h"
 #include "GalleryList.h"
+#include "ScoreScenes.h"
 #include "GalleryPage.h"
 #include "GalleryScores.h"
 #include "GalleryStudio.h"

@@ -29,33 +29,4 @@ struct GallerySection
 
 std::vector<GallerySection> GalleryList(bool withCranium);
 
-struct ScoreModel
-{
-  OpticsSettings Optics;
-  double Highlights = 1.0; // factor of the specular coefficient
-};
-
-// A scene of the metric's report: one setting, seen from several sides by several models.
-struct ScoreScene
-{
-  std::string Name;
-  std::string Field;
-  PictureSettings Settings;       // of what all models share
-  std::vector<ScoreModel> Models; // Blinn-Phong, Ward, Lafortune
-  std::vector<CameraSettings> Views;
-};
-
-// How the glossiness of the three models is matched; the first is the one to report, the others are for
-// comparison. docs/scores.md.
-//   equal-size   one size of highlight on a sphere: exponent n of Blinn-Phong, n/4 of Lafortune,
-//                sqrt(2/n) of Ward; n = 80, or 10 where glossiness is low; gamma 10
-//   gamma-40     the same with gamma 40
-//   as-printed   Lafortune with Blinn-Phong's exponent, Ward with 0.2, as in the paper's figures
-//   equal-peaks  Ward's isotropic peak as high as the others'
-//   paper-weights  equal-size, with highlights 4 pi times the diffuse coefficient: the paper's phase
-//                function integrates to 1 where VTK's integrates to 4 pi, and its kd is 1
-//   saturated    equal-size, with highlights so bright (64 times) that all of them are white
-std::vector<std::string> ScoreRules();
-std::vector<ScoreScene> ScoreScenes(bool withCranium, const std::string& rule);
-
 #endif

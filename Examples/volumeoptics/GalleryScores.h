@@ -6,7 +6,7 @@
 #ifndef GalleryScores_h
 #define GalleryScores_h
 
-#include "GalleryList.h"
+#include "ScoreScenes.h"
 #include "GalleryStudio.h"
 
 #include <functional>
