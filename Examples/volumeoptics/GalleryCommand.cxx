@@ -25,7 +25,7 @@ struct GalleryOptions
   std::string Cranium = DefaultCranium;
   bool WithoutCranium = false;
   bool WithoutScores = false;
-  std::string ScoreRule = ScoreRules().front();
+  std::vector<std::string> ScoreRules = { "equal-size", "saturated" };
   bool Headless = false;
   bool Force = false;
 };
@@ -55,16 +55,17 @@ void DrawSections(GalleryContents& contents, GalleryStudio& studio)
   }
 }
 
-std::vector<ScoreRow> DrawScores(const std::vector<ScoreScene>& scenes, GalleryStudio& studio)
+std::vector<ScoreRow> DrawScores(
+  const std::string& rule, const std::vector<ScoreScene>& scenes, GalleryStudio& studio)
 {
-  Progress scoring("Scores");
+  Progress scoring("Scores, " + rule);
   std::size_t views = 0, done = 0;
   for (const ScoreScene& scene : scenes)
   {
     views += scene.Views.size();
   }
   std::string last;
-  return MeasureScores(scenes, studio, [&](const std::string& scene) {
+  return MeasureScores(rule, scenes, studio, [&](const std::string& scene) {
     scoring.Update(static_cast<double>(++done) / views, scene);
     if (scene != last)
     {
@@ -88,8 +89,11 @@ void MakeGallery(const GalleryOptions& options)
   DrawSections(contents, studio);
   if (!options.WithoutScores)
   {
-    contents.Scores = DrawScores(ScoreScenes(!options.WithoutCranium, options.ScoreRule), studio);
-    contents.ScoreRule = options.ScoreRule;
+    for (const std::string& rule : options.ScoreRules)
+    {
+      const auto rows = DrawScores(rule, ScoreScenes(!options.WithoutCranium, rule), studio);
+      contents.Scores.insert(contents.Scores.end(), rows.begin(), rows.end());
+    }
     WriteScores(options.Folder + "/scores.csv", contents.Scores);
   }
   contents.Renderer = studio.GetRendererName();
@@ -109,8 +113,8 @@ void AddGalleryCommand(CLI::App& program)
   command->add_flag("--without-cranium", options->WithoutCranium, "Synthetic fields only");
   command->add_flag("--without-scores", options->WithoutScores, "Leave out the table of scores");
   command
-    ->add_option("--score-rule", options->ScoreRule,
-      "How the scores match the models' glossiness; all but the first are for comparison (docs/scores.md)")
+    ->add_option("--score-rule", options->ScoreRules,
+      "How the scores match the models' glossiness and brightness, one or more (docs/scores.md)")
     ->check(CLI::IsMember(ScoreRules()))
     ->capture_default_str();
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");

@@ -110,10 +110,10 @@ const char* const ScoreHeads = "<th>Blinn-Phong</th><th>Ward</th><th>Lafortune</
 
 void PutMeanScores(std::ostream& page, const std::vector<ScoreRow>& rows)
 {
-  page << "<table><tr><th>Scene, mean of all views</th>" << ScoreHeads;
+  page << "<table><tr><th>Rule</th><th>Scene, mean of all views</th>" << ScoreHeads;
   for (const ScoreRow& mean : MeanScores(rows))
   {
-    page << "<tr><td>" << mean.Scene << "</td>";
+    page << "<tr><td>" << mean.Rule << "</td><td>" << mean.Scene << "</td>";
     PutScoreCells(page, mean);
   }
   page << "</table>\n";
@@ -124,20 +124,20 @@ void PutScores(std::ostream& page, const GalleryContents& contents)
   page
     << "<h2 id=\"scores\">Structural score</h2>\n<p>Multi-scale homogeneity-weighted structural "
        "dissimilarity of each picture against the phase function alone, after Table 2: more is more "
-       "structure. The models are matched by the rule '"
-    << contents.ScoreRule
-    << "', and scenes, lights, coefficients and the sampling are the same for all models; every view is "
+       "structure. Scenes, lights, coefficients and the sampling are the same for all models; every view is "
        "listed (<a href=\"scores.csv\">scores.csv</a>). By the rule 'equal-size', fixed before the first "
        "measurement, the models have one size of highlight on a sphere: Blinn-Phong's exponent n, "
        "Lafortune's n/4, Ward's roughness sqrt(2/n), n = 80, or 10 for low glossiness; gamma is 10. Ward's "
        "lobe is normalised, the others' are not: it is dimmer where it is wide or drawn out far, and "
-       "scores less there (docs/scores.md).</p>\n";
+       "scores less there. By 'saturated', measured later, highlights are so bright that all are white: what "
+       "counts is where they reach, not how bright they are (docs/scores.md).</p>\n";
   PutMeanScores(page, contents.Scores);
-  page << "<p></p><table><tr><th>Scene</th><th>View</th><th>Azimuth</th><th>Elevation</th>" << ScoreHeads;
+  page << "<p></p><table><tr><th>Rule</th><th>Scene</th><th>View</th><th>Azimuth</th><th>Elevation</th>"
+       << ScoreHeads;
   for (const ScoreRow& row : contents.Scores)
   {
-    page << "<tr><td>" << row.Scene << "</td><td>" << row.View << "</td><td>" << row.Camera.Azimuth
-         << "</td><td>" << row.Camera.Elevation << "</td>";
+    page << "<tr><td>" << row.Rule << "</td><td>" << row.Scene << "</td><td>" << row.View << "</td><td>"
+         << row.Camera.Azimuth << "</td><td>" << row.Camera.Elevation << "</td>";
     PutScoreCells(page, row);
   }
   page << "</table>\n";

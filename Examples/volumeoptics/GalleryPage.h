@@ -19,8 +19,7 @@ struct GalleryContents
   std::vector<GallerySection> Sections;
   std::map<std::string, PictureResult> Results; // by name of the picture
   std::vector<ScoreRow> Scores;                 // empty: left out
-  std::string ScoreRule;
-  std::string Renderer; // OpenGL's name of the machine
+  std::string Renderer;                         // OpenGL's name of the machine
 };
 
 void WriteGalleryPage(const std::string& folder, const GalleryContents& contents);

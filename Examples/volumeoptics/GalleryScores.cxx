@@ -29,8 +29,8 @@ std::string FileNameOf(const std::string& title)
 }
 }
 
-std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, GalleryStudio& studio,
-  const std::function<void(const std::string&)>& told)
+std::vector<ScoreRow> MeasureScores(const std::string& rule, const std::vector<ScoreScene>& scenes,
+  GalleryStudio& studio, const std::function<void(const std::string&)>& told)
 {
   std::vector<ScoreRow> rows;
   for (const ScoreScene& scene : scenes)
@@ -38,6 +38,7 @@ std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, Galle
     for (std::size_t view = 0; view < scene.Views.size(); ++view)
     {
       ScoreRow row;
+      row.Rule = rule;
       row.Scene = scene.Name;
       row.View = static_cast<int>(view) + 1;
       row.Camera = scene.Views[view];
@@ -48,8 +49,8 @@ std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, Galle
         settings.Camera = row.Camera;
         settings.Optics = scene.Models[model].Optics;
         settings.Function.Specular *= scene.Models[model].Highlights;
-        const std::string name =
-          "score-" + FileNameOf(scene.Name) + "-" + std::to_string(row.View) + "-" + settings.Optics.Model;
+        const std::string name = "score-" + rule + "-" + FileNameOf(scene.Name) + "-" +
+          std::to_string(row.View) + "-" + settings.Optics.Model;
         *scores[model] = studio.Draw(name, scene.Field, settings, GalleryStudio::Untimed).Score;
       }
       rows.push_back(row);
@@ -64,9 +65,9 @@ std::vector<ScoreRow> MeanScores(const std::vector<ScoreRow>& rows)
   std::vector<ScoreRow> means;
   for (const ScoreRow& row : rows)
   {
-    if (means.empty() || means.back().Scene != row.Scene)
+    if (means.empty() || means.back().Scene != row.Scene || means.back().Rule != row.Rule)
     {
-      means.push_back({ row.Scene, 0, {}, 0.0, 0.0, 0.0 });
+      means.push_back({ row.Rule, row.Scene, 0, {}, 0.0, 0.0, 0.0 });
     }
     ++means.back().View;
     means.back().BlinnPhong += row.BlinnPhong;
@@ -85,10 +86,11 @@ std::vector<ScoreRow> MeanScores(const std::vector<ScoreRow>& rows)
 
 void WriteScores(const std::string& path, const std::vector<ScoreRow>& rows)
 {
-  CsvWriter csv(path, { "scene", "view", "azimuth", "elevation", "blinn-phong", "ward", "lafortune" });
+  CsvWriter csv(
+    path, { "rule", "scene", "view", "azimuth", "elevation", "blinn-phong", "ward", "lafortune" });
   for (const ScoreRow& row : rows)
   {
-    csv.Write(
-      row.Scene, row.View, row.Camera.Azimuth, row.Camera.Elevation, row.BlinnPhong, row.Ward, row.Lafortune);
+    csv.Write(row.Rule, row.Scene, row.View, row.Camera.Azimuth, row.Camera.Elevation, row.BlinnPhong,
+      row.Ward, row.Lafortune);
   }
 }

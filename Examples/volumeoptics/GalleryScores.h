@@ -15,6 +15,7 @@
 
 struct ScoreRow
 {
+  std::string Rule; // of ScoreRules()
   std::string Scene;
   int View = 0;
   CameraSettings Camera;
@@ -22,10 +23,10 @@ struct ScoreRow
 };
 
 // told: after each view.
-std::vector<ScoreRow> MeasureScores(const std::vector<ScoreScene>& scenes, GalleryStudio& studio,
-  const std::function<void(const std::string&)>& told);
+std::vector<ScoreRow> MeasureScores(const std::string& rule, const std::vector<ScoreScene>& scenes,
+  GalleryStudio& studio, const std::function<void(const std::string&)>& told);
 
-// One row a scene, in their order: the means of all views. View counts them.
+// One row a rule and scene, in their order: the means of all views. View counts them.
 std::vector<ScoreRow> MeanScores(const std::vector<ScoreRow>& rows);
 
 void WriteScores(const std::string& path, const std::vector<ScoreRow>& rows);

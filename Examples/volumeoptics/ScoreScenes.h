@@ -27,8 +27,8 @@ struct ScoreScene
   std::vector<CameraSettings> Views;
 };
 
-// How the glossiness of the three models is matched; the first is the one to report, the others are for
-// comparison. docs/scores.md.
+// How the glossiness of the three models is matched, and how bright highlights are: docs/scores.md. The
+// gallery reports the first, which was fixed before any measurement, and the last.
 //   equal-size   one size of highlight on a sphere: exponent n of Blinn-Phong, n/4 of Lafortune,
 //                sqrt(2/n) of Ward; n = 80, or 10 where glossiness is low; gamma 10
 //   gamma-40     the same with gamma 40
