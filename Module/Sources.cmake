@@ -41,6 +41,7 @@ set(rendering_sources
   HeadlessContextOSMesa
   LightUniforms
   OpticsFactory
+  OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
   ReflectanceTerm
