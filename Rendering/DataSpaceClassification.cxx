@@ -25,7 +25,8 @@ struct SegmentIntegral
   vec4 TableEntry(double front, double back)
   {
     vec4 entry;
-    this->Classification.GetTable()->GetEntry(front, back, &entry[0]);
+    this->Classification.GetTable()->GetEntry(
+      this->Classification.Denormalize(front), this->Classification.Denormalize(back), &entry[0]);
     return entry;
   }
   int NumberOfIsosurfaces() { return static_cast<int>(this->Classification.GetIsosurfaces().size()); }
@@ -83,6 +84,12 @@ bool DataSpaceClassification::Update(vtkVolumeProperty* property, const double r
 }
 
 //------------------------------------------------------------------------------
+bool DataSpaceClassification::IsValid() const
+{
+  return this->Table->GetEntries() != nullptr;
+}
+
+//------------------------------------------------------------------------------
 void DataSpaceClassification::UpdateTable(vtkVolumeProperty* property)
 {
   this->Table->SetColorFunction(MakeColorFunction(property));
@@ -103,9 +110,11 @@ void DataSpaceClassification::UpdateIsosurfaces(vtkVolumeProperty* property)
   for (int i = 0; optics && i < optics->GetNumberOfIsosurfaces(); ++i)
   {
     glm::dvec4 color;
-    optics->GetIsosurfaceColor(i, &color[0]);
+    const double value = optics->GetIsosurfaceValue(i);
+    optics->GetIsosurfaceHasColor(i) ? optics->GetIsosurfaceColor(i, &color[0])
+                                     : this->Table->GetColorFunction()->GetColor(value, &color[0]);
     color[3] = optics->GetIsosurfaceOpacity(i);
-    this->Isosurfaces.push_back({ this->Normalize(optics->GetIsosurfaceValue(i)), color });
+    this->Isosurfaces.push_back({ this->Normalize(value), color });
   }
   std::stable_sort(this->Isosurfaces.begin(), this->Isosurfaces.end(),
     [](const Isosurface& a, const Isosurface& b) { return a.Value < b.Value; });
@@ -121,6 +130,12 @@ bool DataSpaceClassification::HasSilhouettes() const
 double DataSpaceClassification::Normalize(double scalar) const
 {
   return (scalar - this->Range[0]) / (this->Range[1] - this->Range[0]);
+}
+
+//------------------------------------------------------------------------------
+double DataSpaceClassification::Denormalize(double scalar) const
+{
+  return this->Range[0] + scalar * (this->Range[1] - this->Range[0]);
 }
 
 //------------------------------------------------------------------------------

@@ -33,11 +33,15 @@ public:
   // Returns whether anything changed. range: of the scalars, not empty.
   bool Update(vtkVolumeProperty* property, const double range[2], int tableSize);
 
+  // False where the transfer functions are of no use; the table has said why.
+  bool IsValid() const;
+
   vtkPreIntegratedTable* GetTable() const { return this->Table; }
   const std::vector<Isosurface>& GetIsosurfaces() const { return this->Isosurfaces; }
   int GetSilhouette() const { return this->Silhouette; }
   bool HasSilhouettes() const;
   double Normalize(double scalar) const;
+  double Denormalize(double scalar) const;
 
   // Associated colour and opacity of a segment on which the scalar is linear. Scalars in units of the
   // range; gradientStep: |grad s| times the segment's length, in the same unit. For any thread.

@@ -62,6 +62,7 @@ void vtkDataSpaceRayIntegrator::Initialize(vtkVolume* volume, vtkDataArray* scal
     this->Classification->Update(volume->GetProperty(), this->Range, this->TableSize);
     this->HasGradientSteps = MultipliesByGradient(volume);
     this->Check(volume, scalars);
+    this->IsVisible = this->Classification->IsValid();
   }
 }
 
