@@ -43,6 +43,7 @@ set(rendering_sources
   HeadlessContextOSMesa
   LightUniforms
   OpticsFactory
+  OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
   PreIntegration

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Anisotropic ambient shading [Ament2015]: a phase function and a reflectance model in place of
-// VTK's Phong model.
+// The light of a sample, wherever the scene asks for other than VTK's own: a phase function and a
+// reflectance model [Ament2015], or VTK's Phong model with what other terms add at their places.
 
 #ifndef ReflectanceTerm_h
 #define ReflectanceTerm_h
@@ -27,7 +27,8 @@ public:
   FrameProvider Frames;
 
 private:
-  void AddGradientFeatures(const OpticsScene& scene, OpticsFeatures& features) const;
+  void AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features) const;
+  void SetGradientUniforms(const OpticsScene& scene, vtkShaderProgram* program);
   void SetSurfaceUniforms(const OpticsScene& scene, vtkShaderProgram* program);
   void SetExtinctionUniforms(const OpticsScene& scene, vtkShaderProgram* program);
 

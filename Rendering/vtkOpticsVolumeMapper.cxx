@@ -33,6 +33,11 @@
 
 vtkStandardNewMacro(vtkOpticsVolumeMapper);
 
+namespace
+{
+const char* const GradientTypeNames[] = { "Stored", "CentralDifferences" };
+}
+
 class vtkOpticsVolumeMapper::Implementation
 {
 public:
@@ -237,7 +242,13 @@ void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
 //------------------------------------------------------------------------------
 const char* vtkOpticsVolumeMapper::GetExtinctionGradientAsString()
 {
-  return this->ExtinctionGradient == Stored ? "Stored" : "CentralDifferences";
+  return GradientTypeNames[this->ExtinctionGradient];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
+{
+  return GradientTypeNames[this->ScalarGradient];
 }
 
 //------------------------------------------------------------------------------
@@ -373,6 +384,7 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrameResolutionFactor: " << this->FrameResolutionFactor << "\n";
   os << indent << "FramePrecision: " << this->FramePrecision << "\n";
   os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
+  os << indent << "ScalarGradient: " << this->GetScalarGradientAsString() << "\n";
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "ActiveTerms: " << this->Terms->ActiveTerms << "\n";
   os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";

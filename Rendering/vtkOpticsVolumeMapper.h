@@ -131,7 +131,7 @@ public:
    * volume more. Opacities that depend on more than the scalar (gradient opacity, 2D transfer
    * functions) take central differences in any case. Default Stored.
    */
-  enum ExtinctionGradientType
+  enum GradientType
   {
     Stored = 0,
     CentralDifferences
@@ -141,6 +141,20 @@ public:
   void SetExtinctionGradientToStored() { this->SetExtinctionGradient(Stored); }
   void SetExtinctionGradientToCentralDifferences() { this->SetExtinctionGradient(CentralDifferences); }
   const char* GetExtinctionGradientAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How the gradient of the scalar itself is found, where a scene needs it (VTK's reflectance model
+   * together with other terms, silhouettes): by central differences, six fetches of the volume for each
+   * sample; or as the stored normal, one fetch after vtkSobelNormalFilter has run. Default
+   * CentralDifferences.
+   */
+  vtkGetMacro(ScalarGradient, int);
+  vtkSetClampMacro(ScalarGradient, int, Stored, CentralDifferences);
+  void SetScalarGradientToStored() { this->SetScalarGradient(Stored); }
+  void SetScalarGradientToCentralDifferences() { this->SetScalarGradient(CentralDifferences); }
+  const char* GetScalarGradientAsString();
   ///@}
 
   ///@{
@@ -213,6 +227,7 @@ private:
   double StepInVoxels = 0.0; // of a preset; 0: the user's or VTK's
   int FramePrecision = 8;
   int ExtinctionGradient = Stored;
+  int ScalarGradient = CentralDifferences;
   int Quality = Custom;
 
   class Implementation;

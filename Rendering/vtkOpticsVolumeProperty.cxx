@@ -16,6 +16,10 @@ namespace
 {
 const char* const ReflectanceModelNames[] = { "VTK", "None", "BlinnPhong", "Ward", "Lafortune" };
 const char* const FrameSourceNames[] = { "Covariance", "Curvature" };
+const char* const IntegrationSpaceNames[] = { "Physical", "Data" };
+const char* const ClassificationNames[] = { "Post", "PreIntegrated" };
+const char* const SilhouetteNames[] = { "Off", "Exact", "Clamped", "Gradient" };
+const char* const TransmittedLightNames[] = { "Off", "Diffuse", "DiffuseAndSpecular" };
 
 bool HasGlossiness(int model)
 {
@@ -103,6 +107,61 @@ float vtkOpticsVolumeProperty::GetScatteringAnisotropy() const
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetIntegrationSpace(int space)
+{
+  volumeoptics::SetChoice(this, "IntegrationSpace", space, IntegrationSpaceNames, this->IntegrationSpace);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetIntegrationSpaceAsString()
+{
+  return IntegrationSpaceNames[this->IntegrationSpace];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetClassification(int classification)
+{
+  volumeoptics::SetChoice(this, "Classification", classification, ClassificationNames, this->Classification);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetClassificationAsString()
+{
+  return ClassificationNames[this->Classification];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetSilhouette(int silhouette)
+{
+  volumeoptics::SetChoice(this, "Silhouette", silhouette, SilhouetteNames, this->Silhouette);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetSilhouetteAsString()
+{
+  return SilhouetteNames[this->Silhouette];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetTransmittedLight(int light)
+{
+  volumeoptics::SetChoice(this, "TransmittedLight", light, TransmittedLightNames, this->TransmittedLight);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetTransmittedLightAsString()
+{
+  return TransmittedLightNames[this->TransmittedLight];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetScalarOpacityUnitInterval(double interval)
+{
+  volumeoptics::SetWithinRange(
+    this, "ScalarOpacityUnitInterval", interval, 0.0, VTK_DOUBLE_MAX, this->ScalarOpacityUnitInterval);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
 {
   this->Superclass::DeepCopy(source);
@@ -117,6 +176,12 @@ void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
   this->SpecularFromExtinction = optics->SpecularFromExtinction;
   this->FrameSource = optics->FrameSource;
   this->PhaseAnisotropy = optics->PhaseAnisotropy;
+  this->IntegrationSpace = optics->IntegrationSpace;
+  this->Classification = optics->Classification;
+  this->ScalarOpacityUnitInterval = optics->ScalarOpacityUnitInterval;
+  this->Isosurfaces = optics->Isosurfaces;
+  this->Silhouette = optics->Silhouette;
+  this->TransmittedLight = optics->TransmittedLight;
   this->Modified();
 }
 
@@ -135,4 +200,13 @@ void vtkOpticsVolumeProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SpecularFromExtinction: " << (this->SpecularFromExtinction ? "on" : "off") << "\n";
   os << indent << "FrameSource: " << this->GetFrameSourceAsString() << "\n";
   os << indent << "ScatteringAnisotropy: " << this->PhaseAnisotropy << "\n";
+  os << indent << "IntegrationSpace: " << this->GetIntegrationSpaceAsString() << "\n";
+  os << indent << "Classification: " << this->GetClassificationAsString() << "\n";
+  os << indent << "ScalarOpacityUnitInterval: " << this->ScalarOpacityUnitInterval << "\n";
+  for (const Isosurface& surface : this->Isosurfaces)
+  {
+    os << indent << "Isosurface: value " << surface.Value << ", opacity " << surface.Opacity << "\n";
+  }
+  os << indent << "Silhouette: " << this->GetSilhouetteAsString() << "\n";
+  os << indent << "TransmittedLight: " << this->GetTransmittedLightAsString() << "\n";
 }

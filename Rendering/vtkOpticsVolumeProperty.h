@@ -16,7 +16,7 @@
  * A number outside its range is set to the nearest one of the range, with a warning; a choice that
  * does not exist, or a number that is NaN, leaves the setting as it is, with a warning.
  *
- * Source: [Ament2015], see Module/References.md.
+ * Sources: [Ament2015], [Kraus2005], see Module/References.md.
  *
  * @sa vtkOpticsVolumeMapper
  */
@@ -26,6 +26,8 @@
 
 #include "vtkVolumeOpticsModule.h" // for export macro
 #include "vtkVolumeProperty.h"
+
+#include <vector> // for the isosurfaces
 
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeProperty : public vtkVolumeProperty
 {
@@ -132,6 +134,115 @@ public:
   float GetScatteringAnisotropy() const;
   ///@}
 
+  ///@{
+  /**
+   * The space in which opacity adds up along a ray. Physical, VTK's own: opacity belongs to a length
+   * (ScalarOpacityUnitDistance). Data: it belongs to an interval of the scalar
+   * (ScalarOpacityUnitInterval); pictures then do not depend on spacing, the world's scale, the step
+   * or the local gradient, and constant regions are invisible. Default Physical. [Kraus2005] section 3.
+   */
+  enum IntegrationSpaceType
+  {
+    Physical = 0,
+    Data
+  };
+  vtkGetMacro(IntegrationSpace, int);
+  void SetIntegrationSpace(int space);
+  void SetIntegrationSpaceToPhysical() { this->SetIntegrationSpace(Physical); }
+  void SetIntegrationSpaceToData() { this->SetIntegrationSpace(Data); }
+  const char* GetIntegrationSpaceAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How a segment between two samples is classified: by the value at its end (Post, VTK's own), or by
+   * the integral of the transfer functions over all values in between, from a table (PreIntegrated).
+   * In either space. Default Post. [Kraus2005] section 3.2.
+   */
+  enum ClassificationType
+  {
+    Post = 0,
+    PreIntegrated
+  };
+  vtkGetMacro(Classification, int);
+  void SetClassification(int classification);
+  void SetClassificationToPost() { this->SetClassification(Post); }
+  void SetClassificationToPreIntegrated() { this->SetClassification(PreIntegrated); }
+  const char* GetClassificationAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Data space: the interval of the scalar, in its own unit, that an opacity of the opacity function
+   * belongs to: a ray that crosses so much of a constant function is that opaque. At least 0; 0 is one
+   * hundredth of the opacity function's own range. Default 0.
+   */
+  vtkGetMacro(ScalarOpacityUnitInterval, double);
+  void SetScalarOpacityUnitInterval(double interval);
+  /** The interval in use: never 0 unless the function's range is. */
+  double GetEffectiveScalarOpacityUnitInterval();
+  ///@}
+
+  ///@{
+  /**
+   * Data space: a surface of exactly this opacity in [0, 1] wherever a ray crosses the value, whatever
+   * the opacity function is there. Its colour is given (each of r, g, b in [0, 1]), or that of the
+   * colour function, which for two dependent components reads the first one. Returns the surface's
+   * index; a value that is not finite is refused with a warning, and -1. [Kraus2005] section 3.3.
+   */
+  int AddIsosurface(double value, double r, double g, double b, double opacity);
+  int AddIsosurface(double value, double opacity);
+  int GetNumberOfIsosurfaces() { return static_cast<int>(this->Isosurfaces.size()); }
+  double GetIsosurfaceValue(int index);
+  double GetIsosurfaceOpacity(int index);
+  void GetIsosurfaceColor(int index, double rgb[3]);
+  bool GetIsosurfaceHasColor(int index);
+  void RemoveIsosurface(int index);
+  void RemoveAllIsosurfaces();
+  ///@}
+
+  ///@{
+  /**
+   * Data space: how opacity grows where the ray grazes a surface. Off; Exact, as a thin layer does,
+   * 1 - (1 - a)^(1/|cos|), [Kraus2005] eq. 15; Clamped, min(1, a/|cos|), eq. 16; Gradient, the
+   * gradient's magnitude in place of its projection in post-classification, eq. 18. Default Off.
+   */
+  enum SilhouetteType
+  {
+    SilhouetteOff = 0,
+    Exact,
+    Clamped,
+    Gradient
+  };
+  vtkGetMacro(Silhouette, int);
+  void SetSilhouette(int silhouette);
+  void SetSilhouetteToOff() { this->SetSilhouette(SilhouetteOff); }
+  void SetSilhouetteToExact() { this->SetSilhouette(Exact); }
+  void SetSilhouetteToClamped() { this->SetSilhouette(Clamped); }
+  void SetSilhouetteToGradient() { this->SetSilhouette(Gradient); }
+  const char* GetSilhouetteAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Data space, with Shade on: light that falls on a surface from behind shines through it: not at all
+   * (Off), by its diffuse part, or with a highlight around the light as well. Independent of the step;
+   * an opaque surface transmits nothing. Default Off. [Kraus2005] eq. 19.
+   */
+  enum TransmittedLightType
+  {
+    TransmittedLightOff = 0,
+    Diffuse,
+    DiffuseAndSpecular
+  };
+  vtkGetMacro(TransmittedLight, int);
+  void SetTransmittedLight(int light);
+  void SetTransmittedLightToOff() { this->SetTransmittedLight(TransmittedLightOff); }
+  void SetTransmittedLightToDiffuse() { this->SetTransmittedLight(Diffuse); }
+  void SetTransmittedLightToDiffuseAndSpecular() { this->SetTransmittedLight(DiffuseAndSpecular); }
+  const char* GetTransmittedLightAsString();
+  ///@}
+
 protected:
   vtkOpticsVolumeProperty() = default;
   ~vtkOpticsVolumeProperty() override = default;
@@ -140,12 +251,28 @@ private:
   vtkOpticsVolumeProperty(const vtkOpticsVolumeProperty&) = delete;
   void operator=(const vtkOpticsVolumeProperty&) = delete;
 
+  struct Isosurface
+  {
+    double Value;
+    double Color[3];
+    double Opacity;
+    bool HasColor;
+  };
+  int InsertIsosurface(const Isosurface& surface);
+  bool HasIsosurface(int index);
+
   int ReflectanceModel = VTK;
   double Glossiness[NumberOfReflectanceModels] = { 0.0, 0.0, 30.0, 0.2, 30.0 };
   double AnisotropyScale[NumberOfReflectanceModels] = { 0.0, 0.0, 0.0, 10.0, 10.0 };
   bool SpecularFromExtinction = true;
   int FrameSource = Covariance;
   float PhaseAnisotropy = 0.0F;
+  int IntegrationSpace = Physical;
+  int Classification = Post;
+  double ScalarOpacityUnitInterval = 0.0;
+  std::vector<Isosurface> Isosurfaces;
+  int Silhouette = SilhouetteOff;
+  int TransmittedLight = TransmittedLightOff;
 };
 
 #endif
