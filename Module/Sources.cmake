@@ -15,7 +15,8 @@ set(rendering_classes
   vtkHeadlessRenderWindow
   vtkOpticsPreset
   vtkOpticsVolumeMapper
-  vtkOpticsVolumeProperty)
+  vtkOpticsVolumeProperty
+  vtkPreIntegratedTable)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -33,6 +34,7 @@ set(filter_sources
   ScalarSource
   SobelStencil)
 set(rendering_sources
+  AttenuatedStretch
   DefaultOptics
   FrameProvider
   FrameTextures
@@ -44,8 +46,10 @@ set(rendering_sources
   OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
+  PreIntegration
   ReflectanceTerm
   ScalarOpacityTexture
+  TransferFunctionStretches
   vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)
