@@ -12,6 +12,9 @@ set(filter_classes
   vtkSobelNormalFilter
   vtkStructuralDissimilarity)
 set(rendering_classes
+  vtkDataSpaceProjectedTetrahedraMapper
+  vtkDataSpaceRayCastFunction
+  vtkDataSpaceRayIntegrator
   vtkHeadlessRenderWindow
   vtkOpticsPreset
   vtkOpticsVolumeMapper
@@ -34,6 +37,11 @@ set(filter_sources
   ScalarSource
   SobelStencil)
 set(rendering_sources
+  DataSpaceClassification
+  ProjectedTetrahedraPainter
+  ProjectedTetrahedraTarget
+  TetrahedraVertices
+  TetrahedralGrid
   AttenuatedStretch
   DefaultOptics
   FrameProvider

@@ -20,6 +20,8 @@ namespace optics
 // The text that the GPU compiles, as members of what it reads from.
 struct SegmentIntegral
 {
+  using vec4 = glm::dvec4;
+
   const DataSpaceClassification& Classification;
 
   vec4 TableEntry(double front, double back)

@@ -14,6 +14,40 @@
 #include "vtkTextureObject.h"
 #include "vtk_glew.h"
 
+namespace
+{
+// A blit of depth demands the same format on both sides.
+const int DepthAndStencil = -1;
+
+int GetAttachment(unsigned int attachment, unsigned int parameter)
+{
+  GLint value = 0;
+  glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, attachment, parameter, &value);
+  return value;
+}
+
+// DepthAndStencil, or a vtkTextureObject::DepthFormat.
+int GetBoundDepthFormat()
+{
+  GLint framebuffer = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+  const unsigned int depth = framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+  const unsigned int stencil = framebuffer == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
+  if (GetAttachment(stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE)
+  {
+    return DepthAndStencil;
+  }
+  const bool hasDepth = GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+  if (hasDepth && GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT)
+  {
+    return vtkTextureObject::Float32;
+  }
+  const int bits = !hasDepth ? 32 : GetAttachment(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+  return bits == 16 ? vtkTextureObject::Fixed16
+                    : (bits == 24 ? vtkTextureObject::Fixed24 : vtkTextureObject::Fixed32);
+}
+}
+
 //------------------------------------------------------------------------------
 ProjectedTetrahedraTarget::ProjectedTetrahedraTarget() = default;
 
@@ -25,7 +59,9 @@ void ProjectedTetrahedraTarget::Allocate()
 {
   const unsigned int width = this->Viewport[2], height = this->Viewport[3];
   const bool isAlive = this->Picture->GetContext() == this->Window && this->Picture->GetHandle() != 0;
-  if (isAlive && this->Picture->GetWidth() == width && this->Picture->GetHeight() == height)
+  const int depthFormat = GetBoundDepthFormat();
+  if (isAlive && this->Picture->GetWidth() == width && this->Picture->GetHeight() == height &&
+    depthFormat == this->DepthFormat)
   {
     return;
   }
@@ -40,25 +76,24 @@ void ProjectedTetrahedraTarget::Allocate()
     texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   }
   this->Picture->Allocate2D(width, height, 4, VTK_FLOAT);
-  // a blit demands the window's own format
-  if (this->Window->GetStencilCapable())
-  {
-    this->Depth->AllocateDepthStencil(width, height);
-  }
-  else
-  {
-    this->Depth->AllocateDepth(width, height, vtkTextureObject::Fixed24);
-  }
+  this->DepthFormat = depthFormat;
+  depthFormat == DepthAndStencil ? this->Depth->AllocateDepthStencil(width, height)
+                                 : this->Depth->AllocateDepth(width, height, depthFormat);
 }
 
 //------------------------------------------------------------------------------
-// The draw framebuffer is ours, the read framebuffer the one that was bound.
+// The draw framebuffer is ours, the read framebuffer the one that was bound. Where that has no depth,
+// nothing is opaque.
 void ProjectedTetrahedraTarget::CopyDepth()
 {
   const int* port = this->Viewport;
+  vtkOpenGLState* state = this->Window->GetState();
   this->Framebuffer->AddDepthAttachment(this->Depth);
-  this->Window->GetState()->vtkglBlitFramebuffer(port[0], port[1], port[0] + port[2], port[1] + port[3], 0,
-    0, port[2], port[3], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClearDepth(1.0);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+  state->vtkglBlitFramebuffer(port[0], port[1], port[0] + port[2], port[1] + port[3], 0, 0, port[2], port[3],
+    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   this->Framebuffer->RemoveDepthAttachment();
 }
 

@@ -42,6 +42,7 @@ private:
   vtkNew<vtkTextureObject> Depth;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   vtkOpenGLRenderWindow* Window = nullptr;
+  int DepthFormat = 0;
   int Viewport[4] = { 0, 0, 0, 0 };
 };
 

@@ -18,6 +18,8 @@ uniform int in_numberOfIsosurfaces;
 uniform int in_silhouetteMode;
 uniform int in_isParallel;
 
+float TableCoordinate(float normalizedScalar, float entries); // of DataSpace.glsl
+
 vec4 TableEntry(float front, float back)
 {
   return texture(in_table, vec2(TableCoordinate(front, in_tableSize), TableCoordinate(back, in_tableSize)));
