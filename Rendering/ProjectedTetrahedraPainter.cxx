@@ -31,10 +31,6 @@
 
 namespace
 {
-// The scalar where one cell ends and the next begins is rounded differently in the two. An isovalue that
-// whole faces have would be crossed twice or never; a little below it is crossed once. Of the range.
-const double IsovalueOffset = 2e-6;
-
 void SetNearest(vtkTextureObject* texture)
 {
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -146,7 +142,7 @@ void ProjectedTetrahedraPainter::UploadIsosurfaces()
     {
       texels[4 * i + channel] = static_cast<float>(surfaces[i].Color[channel]);
     }
-    texels[4 * (width + i)] = static_cast<float>(surfaces[i].Value - IsovalueOffset);
+    texels[4 * (width + i)] = static_cast<float>(surfaces[i].Value);
   }
   this->Isosurfaces->SetContext(this->Window);
   SetNearest(this->Isosurfaces);

@@ -7,6 +7,7 @@ smooth in vec3 positionView;
 smooth in vec3 weights;
 flat in vec4 scalars;
 flat in mat3 weightGradients;
+flat in float scalarRounding;
 
 uniform sampler2D in_table;       // x front, y back
 uniform sampler2D in_isosurfaces; // first row colours, second row values
@@ -30,9 +31,11 @@ int NumberOfIsosurfaces()
   return in_numberOfIsosurfaces;
 }
 
+// The scalar where one cell ends and the next begins is rounded differently in the two. A value that whole
+// faces have would be crossed twice or never; a little below it is crossed once.
 float Isovalue(int index)
 {
-  return texelFetch(in_isosurfaces, ivec2(index, 1), 0).x;
+  return texelFetch(in_isosurfaces, ivec2(index, 1), 0).x - scalarRounding;
 }
 
 vec4 IsosurfaceColor(int index)
