@@ -40,8 +40,8 @@ inline void SetFunctions(vtkVolumeProperty* property)
   color->AddRGBPoint(0.9, 1.0, 0.9, 0.3);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(0.1, 0.008);
-  opacity->AddPoint(1.0, 0.008);
+  opacity->AddPoint(0.1, 0.004);
+  opacity->AddPoint(1.0, 0.004);
   property->SetColor(color);
   property->SetScalarOpacity(opacity);
 }

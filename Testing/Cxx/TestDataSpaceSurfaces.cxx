@@ -150,7 +150,7 @@ void TestAgreement(Check& check)
     scene.Property->SetScalarOpacityUnitInterval(0.5);
     AddSurface(scene, 0.4, 0.2);
     AddSurface(scene, 1.1, 0.3);
-    scene.Volume->SetPosition(scene.OffTheEdges);
+    scene.Volume->SetPosition(scene.OffTheEdges[0], scene.OffTheEdges[1], 0.0);
     pictures[kind] = scene.Render();
   }
   int worst = 0;

@@ -92,7 +92,7 @@ struct TetrahedraScene
   };
 
   // VTK's ray caster loses rays that run along an edge of the grid.
-  double OffTheEdges[3] = { 0.00137, 0.00219, 0.0 };
+  static constexpr double OffTheEdges[2] = { 0.00137, 0.00219 };
 
   explicit TetrahedraScene(Kind kind, vtkUnstructuredGrid* grid, int size = 64)
   {
@@ -100,11 +100,9 @@ struct TetrahedraScene
     this->Ray->SetRayCastFunction(this->RayFunction);
     this->Ray->SetAutoAdjustSampleDistances(0);
     this->Mapper = this->Ray;
-    this->Volume->SetPosition(OffTheEdges);
     if (kind == Projected)
     {
       this->Mapper = this->Tetrahedra;
-      this->Volume->SetPosition(0.0, 0.0, 0.0);
     }
     this->Mapper->SetInputData(grid);
     this->Color->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
@@ -128,6 +126,10 @@ struct TetrahedraScene
     camera->SetPosition(0.0, 0.0, 5.0 * scale);
     camera->SetFocalPoint(0.0, 0.0, 0.0);
     camera->SetParallelScale(scale);
+    if (this->Mapper == this->Ray)
+    {
+      this->Volume->SetPosition(OffTheEdges[0] * scale, OffTheEdges[1] * scale, 0.0);
+    }
     this->Renderer->ResetCameraClippingRange();
   }
 
