@@ -34,6 +34,7 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
+#include "ProjectedTetrahedraColor.h"
 #include "ProjectedTetrahedraDec.h"
 #include "ProjectedTetrahedraMain.h"
 #include "ProjectedTetrahedraVertex.h"
@@ -218,8 +219,15 @@ std::string ProjectedTetrahedraVertexShader()
 }
 
 //------------------------------------------------------------------------------
-std::string ProjectedTetrahedraFragmentShader()
+std::string ProjectedTetrahedraFragmentShader(const std::string& color)
 {
-  return std::string(ProjectedTetrahedraDec) + Opacity + DataSpace + DataSpaceSegment +
-    ProjectedTetrahedraMain;
+  return std::string(ProjectedTetrahedraDec) + Opacity + DataSpace + color + ProjectedTetrahedraMain;
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraFragmentShader(int silhouette)
+{
+  // a constant, so that what the mode does not need is not compiled
+  const std::string mode = "int SilhouetteMode() { return " + std::to_string(silhouette) + "; }\n";
+  return ProjectedTetrahedraFragmentShader(mode + DataSpaceSegment + ProjectedTetrahedraColor);
 }

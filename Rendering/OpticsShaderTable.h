@@ -73,9 +73,14 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 
 /**
- * The shaders of vtkDataSpaceProjectedTetrahedraMapper, which do not depend on its settings.
+ * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.
  */
 std::string ProjectedTetrahedraVertexShader();
-std::string ProjectedTetrahedraFragmentShader();
+std::string ProjectedTetrahedraFragmentShader(int silhouette);
+
+/**
+ * The same with another text that defines FragmentColor(), of ProjectedTetrahedraColor.glsl.
+ */
+std::string ProjectedTetrahedraFragmentShader(const std::string& color);
 
 #endif

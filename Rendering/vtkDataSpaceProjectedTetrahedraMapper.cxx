@@ -54,9 +54,10 @@ void vtkDataSpaceProjectedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVol
     return;
   }
   this->Timer->StartTimer();
-  if (this->Sort(renderer, volume) && this->Painter->Draw(renderer, volume, this->Order))
+  if (this->Sort(renderer, volume))
   {
-    this->InvokeEvent(vtkCommand::UpdateShaderEvent, this->Painter->GetProgram());
+    this->Painter->Draw(renderer, volume, this->Order,
+      [this](vtkShaderProgram* program) { this->InvokeEvent(vtkCommand::UpdateShaderEvent, program); });
   }
   this->Timer->StopTimer();
   this->TimeToDraw = this->Timer->GetElapsedTime();

@@ -16,7 +16,6 @@ uniform vec4 in_depthCode; // elements zz, zw, wz, ww of the projection
 uniform float in_tableSize;
 uniform float in_nearDistance;
 uniform int in_numberOfIsosurfaces;
-uniform int in_silhouetteMode;
 uniform int in_isParallel;
 
 float TableCoordinate(float normalizedScalar, float entries); // of DataSpace.glsl
@@ -41,9 +40,4 @@ float Isovalue(int index)
 vec4 IsosurfaceColor(int index)
 {
   return texelFetch(in_isosurfaces, ivec2(index, 0), 0);
-}
-
-int SilhouetteMode()
-{
-  return in_silhouetteMode;
 }
