@@ -12,6 +12,7 @@
 #include "CoefficientsDec.h"
 #include "CoefficientsOfProperty.h"
 #include "DataSpace.h"
+#include "DataSpaceInterior.h"
 #include "DataSpaceSegment.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
@@ -34,9 +35,11 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
-#include "ProjectedTetrahedraColor.h"
 #include "ProjectedTetrahedraDec.h"
+#include "ProjectedTetrahedraInterior.h"
+#include "ProjectedTetrahedraIsosurfaces.h"
 #include "ProjectedTetrahedraMain.h"
+#include "ProjectedTetrahedraSegment.h"
 #include "ProjectedTetrahedraVertex.h"
 #include "RayDec.h"
 #include "RayInit.h"
@@ -225,9 +228,12 @@ std::string ProjectedTetrahedraFragmentShader(const std::string& color)
 }
 
 //------------------------------------------------------------------------------
-std::string ProjectedTetrahedraFragmentShader(int silhouette)
+std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces)
 {
   // a constant, so that what the mode does not need is not compiled
-  const std::string mode = "int SilhouetteMode() { return " + std::to_string(silhouette) + "; }\n";
-  return ProjectedTetrahedraFragmentShader(mode + DataSpaceSegment + ProjectedTetrahedraColor);
+  const std::string interior =
+    "int SilhouetteMode() { return " + std::to_string(silhouette) + "; }\n" + DataSpaceInterior;
+  return ProjectedTetrahedraFragmentShader(hasIsosurfaces
+      ? interior + ProjectedTetrahedraIsosurfaces + DataSpaceSegment + ProjectedTetrahedraSegment
+      : interior + ProjectedTetrahedraInterior);
 }

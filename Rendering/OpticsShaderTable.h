@@ -76,10 +76,10 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
  * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.
  */
 std::string ProjectedTetrahedraVertexShader();
-std::string ProjectedTetrahedraFragmentShader(int silhouette);
+std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces);
 
 /**
- * The same with another text that defines FragmentColor(), of ProjectedTetrahedraColor.glsl.
+ * The same with another text that defines FragmentColor(), as ProjectedTetrahedraInterior.glsl does.
  */
 std::string ProjectedTetrahedraFragmentShader(const std::string& color);
 

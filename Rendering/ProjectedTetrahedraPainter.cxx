@@ -173,7 +173,8 @@ void ProjectedTetrahedraPainter::MakeProgramReady()
 //------------------------------------------------------------------------------
 std::string ProjectedTetrahedraPainter::GetFragmentShader() const
 {
-  return ProjectedTetrahedraFragmentShader(this->Classification->GetSilhouette());
+  return ProjectedTetrahedraFragmentShader(
+    this->Classification->GetSilhouette(), !this->Classification->GetIsosurfaces().empty());
 }
 
 //------------------------------------------------------------------------------

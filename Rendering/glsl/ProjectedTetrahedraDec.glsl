@@ -9,13 +9,11 @@ flat in vec4 scalars;
 flat in mat3 weightGradients;
 flat in float scalarRounding;
 
-uniform sampler2D in_table;       // x front, y back
-uniform sampler2D in_isosurfaces; // first row colours, second row values
+uniform sampler2D in_table; // x front, y back
 uniform sampler2D in_opaqueDepth;
 uniform vec4 in_depthCode; // elements zz, zw, wz, ww of the projection
 uniform float in_tableSize;
 uniform float in_nearDistance;
-uniform int in_numberOfIsosurfaces;
 uniform int in_isParallel;
 
 float TableCoordinate(float normalizedScalar, float entries); // of DataSpace.glsl
@@ -23,21 +21,4 @@ float TableCoordinate(float normalizedScalar, float entries); // of DataSpace.gl
 vec4 TableEntry(float front, float back)
 {
   return texture(in_table, vec2(TableCoordinate(front, in_tableSize), TableCoordinate(back, in_tableSize)));
-}
-
-int NumberOfIsosurfaces()
-{
-  return in_numberOfIsosurfaces;
-}
-
-// The scalar where one cell ends and the next begins is rounded differently in the two. A value that whole
-// faces have would be crossed twice or never; a little below it is crossed once.
-float Isovalue(int index)
-{
-  return texelFetch(in_isosurfaces, ivec2(index, 1), 0).x - scalarRounding;
-}
-
-vec4 IsosurfaceColor(int index)
-{
-  return texelFetch(in_isosurfaces, ivec2(index, 0), 0);
 }
