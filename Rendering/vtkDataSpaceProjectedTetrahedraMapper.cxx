@@ -82,8 +82,9 @@ bool vtkDataSpaceProjectedTetrahedraMapper::Prepare(vtkVolume* volume)
   vtkDataArray* scalars = TetrahedralGrid::FindScalars(this, areOfCells);
   if (!scalars)
   {
-    this->FailOnce("The input has no scalars to draw; name an array with SelectScalarArray(), or make one the "
-                   "active scalars of the points.");
+    this->FailOnce(
+      "The input has no scalars to draw; name an array with SelectScalarArray(), or make one the "
+      "active scalars of the points.");
     return false;
   }
   if (areOfCells)

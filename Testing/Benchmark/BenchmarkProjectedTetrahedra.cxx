@@ -184,10 +184,10 @@ private:
     this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
     this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
     this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
-    this->Lengths ? this->Texture->Create3DFromRaw(
-                      this->Scalars, this->Scalars, this->Lengths, 4, VTK_FLOAT, this->Entries.data())
-                  : this->Texture->Create2DFromRaw(
-                      this->Scalars, this->Scalars, 4, VTK_FLOAT, this->Entries.data());
+    this->Lengths
+      ? this->Texture->Create3DFromRaw(
+          this->Scalars, this->Scalars, this->Lengths, 4, VTK_FLOAT, this->Entries.data())
+      : this->Texture->Create2DFromRaw(this->Scalars, this->Scalars, 4, VTK_FLOAT, this->Entries.data());
   }
 
   int Scalars;
@@ -345,8 +345,9 @@ struct Kind
 };
 
 const Kind Kinds[] = { { "physical 3D", 64, 64, false }, { "physical 3D", 128, 32, false },
-  { "physical 3D", 128, 128, false }, { "physical 2D means", 256, 0, false }, { "data 2D", 64, -1, false }, { "data 2D", 256, -1, false },
-  { "data 2D with silhouettes", 64, -1, true }, { "data 2D with silhouettes", 256, -1, true } };
+  { "physical 3D", 128, 128, false }, { "physical 2D means", 256, 0, false }, { "data 2D", 64, -1, false },
+  { "data 2D", 256, -1, false }, { "data 2D with silhouettes", 64, -1, true },
+  { "data 2D with silhouettes", 256, -1, true } };
 
 // White: a pixel is its opacity, which does not depend on the order of the cells.
 double ErrorOf(Scene& scene, const Kind& kind, int size)

@@ -59,5 +59,5 @@ int TestProjectedBuckyball(int argc, char* argv[])
   window->Render();
   // another rasteriser's rounding; without silhouettes the right half differs by 48
   return vtkRegressionTestImageThreshold(window, 5.0) == vtkRegressionTester::PASSED ? EXIT_SUCCESS
-                                                                                      : EXIT_FAILURE;
+                                                                                     : EXIT_FAILURE;
 }

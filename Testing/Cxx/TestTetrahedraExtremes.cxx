@@ -10,6 +10,7 @@
 #include "vtkActor.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -193,8 +194,8 @@ void TestViews(Check& check)
   }
 }
 
-void TestSaidOnce(
-  Check& check, const std::string& what, vtkObject* speaker, TetrahedraScene& scene, const std::string& remedy)
+void TestSaidOnce(Check& check, const std::string& what, vtkObject* speaker, TetrahedraScene& scene,
+  const std::string& remedy)
 {
   const Warnings warnings(speaker);
   scene.Render();
@@ -234,6 +235,24 @@ void TestMessages(Check& check)
   TestSaidOnce(check, "cell scalars, ray caster", castCells.Integrator, castCells, "vtkCellDataToPointData");
   check.Near("picture of cell scalars", castCells.RenderOpacity(9, 9), 0.0, 0.0);
 
+  Grid vectors = MakeBox(2, Linear);
+  vtkNew<vtkFloatArray> pairs;
+  pairs->SetNumberOfComponents(2);
+  for (vtkIdType i = 0; i < vectors->GetNumberOfPoints(); ++i)
+  {
+    pairs->InsertNextTuple2(Linear(0.0, 0.0, vectors->GetPoint(i)[2]), 7.0);
+  }
+  vectors->GetPointData()->SetScalars(pairs);
+  for (TetrahedraScene::Kind kind : { TetrahedraScene::Projected, TetrahedraScene::RayCast })
+  {
+    TetrahedraScene scene(kind, vectors, Size);
+    scene.SetConstantOpacity(0.7);
+    vtkObject* speaker = scene.Integrator;
+    TestSaidOnce(check, "two components", kind == TetrahedraScene::Projected ? scene.Tetrahedra : speaker,
+      scene, "the first is drawn");
+    check.Near("first component", scene.RenderOpacity(9, 9), 1.0 - std::pow(0.3, 0.8), 1.0 / 255.0);
+  }
+
   TetrahedraScene silhouette(TetrahedraScene::RayCast, MakeBox(2, Linear), Size);
   silhouette.Ray->SetRayCastFunction(vtkSmartPointer<vtkUnstructuredGridBunykRayCastFunction>::New());
   silhouette.SetConstantOpacity(0.7);
@@ -245,6 +264,25 @@ void TestMessages(Check& check)
   const Warnings warnings(empty.Tetrahedra);
   check.Near("empty grid", empty.RenderOpacity(9, 9), 0.0, 0.0);
   check.That(warnings.Texts.empty(), "an empty grid is no reason for a message");
+}
+
+// Ghosts and blanked cells are left out: here all but the lower half, which alone is seen.
+void TestHiddenCells(Check& check)
+{
+  Grid grid = MakeBox(4, Linear);
+  vtkNew<vtkUnsignedCharArray> hidden;
+  hidden->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    grid->GetCellBounds(i, bounds);
+    const int kinds[2] = { vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::DUPLICATECELL };
+    hidden->InsertNextValue(static_cast<unsigned char>(bounds[5] > 0.01 ? kinds[i % 2] : 0));
+  }
+  grid->GetCellData()->AddArray(hidden);
+  TetrahedraScene scene(TetrahedraScene::Projected, grid, Size);
+  scene.SetConstantOpacity(0.7);
+  check.Near("below hidden cells", SmallestPixel(RenderFloat(scene)), 1.0 - std::pow(0.3, 0.4), 2e-5);
 }
 
 // Everything that is uploaded follows its source, also into another window.
@@ -279,6 +317,7 @@ int TestTetrahedraExtremes(int, char*[])
   TestFunctions(check);
   TestViews(check);
   TestMessages(check);
+  TestHiddenCells(check);
   TestChanges(check);
   return check.ExitCode();
 }
