@@ -42,8 +42,7 @@ public:
 
 private:
   SegmentIntegral Slab(double front, double back, double attenuation) const;
-  SegmentIntegral Refined(
-    double front, double back, double attenuation, const SegmentIntegral& whole, int levels) const;
+  SegmentIntegral Refined(double front, double back, double attenuation, const SegmentIntegral& whole, int levels) const;
 
   vtkPiecewiseFunction* Opacity;
   vtkColorTransferFunction* Color;
