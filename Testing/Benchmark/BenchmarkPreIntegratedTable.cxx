@@ -68,7 +68,8 @@ void RunCase(benchmark::State& state, Case c)
 void Register(const Case& c)
 {
   const std::string name = std::string(c.SegmentLength > 0.0 ? "Physical" : "Data") +
-    (c.IsSpiky ? "/Spiky/" : "/Smooth/") + std::to_string(c.Size) + "/" + std::to_string(c.Threads) + "threads";
+    (c.IsSpiky ? "/Spiky/" : "/Smooth/") + std::to_string(c.Size) + "/" + std::to_string(c.Threads) +
+    "threads";
   benchmark::RegisterBenchmark(name.c_str(), RunCase, c)
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime()

@@ -193,8 +193,9 @@ void TestTransmission(Check& check)
           light += transparency * alpha * optics::TransmittedShare(depth, DepthBehind(t, back, end), peak);
           transparency *= 1.0 - alpha;
         }
-        check.Near("a peak of " + std::to_string(opacity) + " in " + std::to_string(steps) + " steps transmits",
-          light, opacity * (1.0 - opacity), 1.0e-3);
+        check.Near(
+          "a peak of " + std::to_string(opacity) + " in " + std::to_string(steps) + " steps transmits", light,
+          opacity * (1.0 - opacity), 1.0e-3);
       }
     }
   }
