@@ -132,6 +132,25 @@ void TestAttenuations(Check& check)
     byDefault.Table->GetMean(0.3, 0.6), explicitly.Table->GetMean(0.3, 0.6), 1.0e-4);
 }
 
+// Physical space: the colour's own attenuation, from none to all of it, and the same mean.
+void TestLengths(Check& check)
+{
+  for (double length : { 1.0e-30, 1.0e-3, 1.0, 1.0e3, 1.0e30 })
+  {
+    TestTable t(64);
+    t.Color->AddRGBPoint(0.0, 0.0, 0.5, 1.0);
+    t.Color->AddRGBPoint(1.0, 1.0, 0.5, 0.0);
+    t.Opacity->AddPoint(0.5, 0.5);
+    t.Table->SetSegmentLength(length);
+    CheckEntries(check, "a length of " + std::to_string(length), t);
+    check.Near("mean of a constant function", t.Table->GetMean(0.1, 0.7), std::log(2.0), 1.0e-6);
+    const double depth = std::log(2.0) * length;
+    const double along = depth < 1.0e-4 ? 0.5 : 1.0 / depth - 1.0 / std::expm1(depth);
+    check.Near("colour upwards", t.Entry(0, 63)[0], along, 1.0 / 512.0);
+    check.Near("colour downwards", t.Entry(63, 0)[0], 1.0 - along, 1.0 / 512.0);
+  }
+}
+
 void TestInvalidOpacities(Check& check)
 {
   TestTable t(64);
@@ -241,6 +260,7 @@ int TestPreIntegratedTableExtremes(int, char*[])
   TestSteps(check);
   TestRanges(check);
   TestAttenuations(check);
+  TestLengths(check);
   TestInvalidOpacities(check);
   TestFunctionSettings(check);
   TestLargestSize(check);
