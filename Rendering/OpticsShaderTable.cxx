@@ -66,11 +66,13 @@
 #include "SilhouetteClamped.h"
 #include "SilhouetteExact.h"
 #include "SilhouetteGeometry.h"
-#include "SilhouetteGradient.h"
 #include "SilhouetteOff.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
+#include "SurfaceFlag.h"
+#include "SurfaceInData.h"
+#include "SurfaceOfExtinction.h"
 
 #include <vector>
 
@@ -106,6 +108,7 @@ struct Row
 // The order of the rows is the order of the text at each place.
 const Row Table[] = {
   { F::SampleScalar, &BaseDec, SampleScalar },
+  { F::IntegralInData, &BaseDec, SurfaceFlag },
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
 
@@ -132,6 +135,8 @@ const Row Table[] = {
   { F::ScalarGradientStored, &ComputeLightingDec, ScalarGradientStored },
   { F::ScalarGradientCentral, &ComputeLightingDec, ScalarGradientCentral },
   { F::Surface, &ComputeLightingDec, SurfaceDec },
+  { F::SurfaceOfExtinction, &ComputeLightingDec, SurfaceOfExtinction },
+  { F::SurfaceInData, &ComputeLightingDec, SurfaceInData },
   { F::ExtinctionSurface, &ComputeLightingDec, SurfaceCoefficient },
   { F::ReflectanceWard, &ComputeLightingDec, MajorParameterWard },
   { F::ReflectanceLafortune, &ComputeLightingDec, MajorParameterLafortune },
@@ -166,7 +171,6 @@ const Row Table[] = {
   { F::SilhouetteOn, &ComputeRayDirectionDec, SilhouetteGeometry },
   { F::SilhouetteExact, &ComputeRayDirectionDec, SilhouetteExact },
   { F::SilhouetteClamped, &ComputeRayDirectionDec, SilhouetteClamped },
-  { F::SilhouetteGradient, &ComputeRayDirectionDec, SilhouetteGradient },
   { F::Integral, &ComputeRayDirectionDec, SegmentSmooth },
   { F::IsosurfacesNone, &ComputeRayDirectionDec, IsosurfacesNone },
   { F::Isosurfaces, &ComputeRayDirectionDec, Isosurfaces },
