@@ -75,6 +75,7 @@ void IntegrationTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
   {
     features.Add(F::NoColorTable);
   }
+  features.Add(scene.Mapper->GetCropping() ? F::HiddenByCropping : F::HiddenHalf);
   features.Add(HasIsosurfaces(scene) ? F::Isosurfaces : F::IsosurfacesNone);
   AddSilhouetteFeatures(scene, features);
 }

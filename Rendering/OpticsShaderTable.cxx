@@ -22,6 +22,8 @@
 #include "FrameInit.h"
 #include "GradientOpacityNone.h"
 #include "GradientOpacityScalar.h"
+#include "HiddenByCropping.h"
+#include "HiddenHalf.h"
 #include "IntegralDec.h"
 #include "IntegralImpl.h"
 #include "IntegralInit.h"
@@ -174,6 +176,8 @@ const Row Table[] = {
   { F::Integral, &ComputeRayDirectionDec, SegmentSmooth },
   { F::IsosurfacesNone, &ComputeRayDirectionDec, IsosurfacesNone },
   { F::Isosurfaces, &ComputeRayDirectionDec, Isosurfaces },
+  { F::HiddenHalf, &ComputeRayDirectionDec, HiddenHalf },
+  { F::HiddenByCropping, &ComputeRayDirectionDec, HiddenByCropping },
   { F::Integral, &ComputeRayDirectionDec, IntegralRay },
   { F::Integral, &ShadingInit, IntegralInit },
   { F::Integral, &ShadingImpl, IntegralImpl },

@@ -61,6 +61,8 @@ enum class OpticsFeature
   SilhouetteOn, // any but off
   SilhouetteExact,
   SilhouetteClamped,
+  HiddenHalf,
+  HiddenByCropping,
   IsosurfacesNone,
   Isosurfaces,
   Count
