@@ -12,6 +12,12 @@
 
 enum class OpticsFeature
 {
+  Ray,          // eye space along the ray
+  SampleScalar, // the sample's components are handed on to computeLighting()
+  OpacityTable,
+  ColorTable,
+  NoColorTable,
+  OpacityFormulas,
   Reflectance, // light is evaluated here: replaces VTK's computeLighting()
   ReflectanceVTK,
   ReflectanceNone,
@@ -22,6 +28,8 @@ enum class OpticsFeature
   Scattering,        // a model whose diffuse part is a phase function
   Surface,           // a model with a normal
   ExtinctionSurface, // a model with the normal of the classified extinction
+  SurfaceOfExtinction,
+  SurfaceInData,
   ScalarGradientStored,
   ScalarGradientCentral,
   Anisotropic,
@@ -41,6 +49,22 @@ enum class OpticsFeature
   GradientOpacityScalar,
   LightsDirectional,
   LightsPositional,
+  Integral, // segments are integrated here: replaces VTK's sampling of a ray
+  IntegralPost,
+  IntegralPreIntegrated,
+  IntegralInData,
+  IntegralInSpace,
+  ColorOfSegment,
+  ColorOfFirst,
+  ColorOfSample,
+  SilhouetteOff,
+  SilhouetteOn, // any but off
+  SilhouetteExact,
+  SilhouetteClamped,
+  HiddenHalf,
+  HiddenByCropping,
+  IsosurfacesNone,
+  Isosurfaces,
   Count
 };
 

@@ -6,8 +6,13 @@ import os
 import tempfile
 
 import volumeoptics
-from vtkmodules.vtkRenderingCore import vtkVolume, vtkVolumeProperty
-from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
+from vtkmodules.vtkRenderingVolume import (
+    vtkGPUVolumeRayCastMapper,
+    vtkProjectedTetrahedraMapper,
+    vtkUnstructuredGridVolumeRayCastMapper,
+)
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
 
@@ -57,9 +62,40 @@ def check_preset():
     volumeoptics.vtkOpticsVolumeMapper.SetDefaultOptics(None)
 
 
+def check_table():
+    opacity = vtkPiecewiseFunction()
+    opacity.AddPoint(0.0, 0.5)
+    color = vtkColorTransferFunction()
+    color.AddRGBPoint(0.0, 0.25, 0.5, 1.0)
+    table = volumeoptics.vtkPreIntegratedTable()
+    table.SetOpacityFunction(opacity)
+    table.SetColorFunction(color)
+    table.SetSize(4)
+    assert table.Update()
+    assert len(table.GetEntries()) == 64 and table.GetEntries()[:3] == (0.25, 0.5, 1.0)
+    assert len(table.GetCumulative()) == 4 and len(table.GetDepthsBehind()) == 8
+    rgba = [0.0] * 4
+    table.GetEntry(0.0, 1.0, rgba)
+    assert rgba[:3] == [0.25, 0.5, 1.0] and abs(rgba[3] - 69.3147) < 1e-3
+
+
+check_table()
+def check_unstructured():
+    mapper = vtkUnstructuredGridVolumeRayCastMapper()
+    mapper.SetRayIntegrator(volumeoptics.vtkDataSpaceRayIntegrator())
+    mapper.SetRayCastFunction(volumeoptics.vtkDataSpaceRayCastFunction())
+    assert mapper.GetRayIntegrator().GetTableSize() == 256
+    assert not mapper.GetRayCastFunction().GetMultipliesByGradient()
+    projected = volumeoptics.vtkDataSpaceProjectedTetrahedraMapper()
+    assert isinstance(projected, vtkProjectedTetrahedraMapper)
+    projected.SetTableSize(64)
+    assert projected.GetTableSize() == 64
+
+
 check_property()
 check_override()
 check_preset()
+check_unstructured()
 for name in dir(volumeoptics):
     wrapped = getattr(volumeoptics, name)
     if isinstance(wrapped, type) and name.startswith("vtk"):
