@@ -34,6 +34,7 @@ set(filter_sources
   SobelStencil)
 set(rendering_sources
   DefaultOptics
+  FrameGeometry
   FrameProvider
   FrameTextures
   HeadlessContext
