@@ -36,6 +36,7 @@ set(filter_sources
 set(rendering_sources
   AttenuatedStretch
   DefaultOptics
+  FrameGeometry
   FrameProvider
   FrameTerm
   FrameTextures

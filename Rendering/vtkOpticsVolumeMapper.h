@@ -79,7 +79,9 @@ public:
   ///@{
   /**
    * Normals computed elsewhere: an image with float point arrays "Normals" (3 components, unit, world
-   * axes) and "GradientMagnitude" (per world length). Default none.
+   * axes) and "GradientMagnitude" (per world length). Default none. Without an anisotropy input the
+   * covariance is computed from these normals; they lie on the volume's grid then, or on that of a
+   * lower ResolutionFactor of the filters. The frame source Curvature has normals of its own.
    */
   void SetNormalsInputConnection(vtkAlgorithmOutput* output);
   void SetNormalsInputData(vtkImageData* normals);
