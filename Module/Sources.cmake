@@ -13,6 +13,7 @@ set(filter_classes
   vtkStructuralDissimilarity)
 set(rendering_classes
   vtkHeadlessRenderWindow
+  vtkLightingTransferFunction
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
@@ -39,7 +40,11 @@ set(rendering_sources
   HeadlessContext
   HeadlessContextEGL
   HeadlessContextOSMesa
+  JsonDocument
   LightUniforms
+  LightingBoundary
+  LightingJson
+  LightingTable
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene

@@ -29,6 +29,7 @@ using namespace glm;
 #include "Opacity.glsl"
 #include "AnisotropyFrame.glsl"
 #include "Reflectance.glsl"
+#include "SoftRange.glsl"
 #undef float
 }
 }

@@ -30,6 +30,7 @@ using namespace glm;
 #include "OpticsFloat/Opacity.glsl"
 #include "OpticsFloat/AnisotropyFrame.glsl"
 #include "OpticsFloat/Reflectance.glsl"
+#include "OpticsFloat/SoftRange.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }
 }
