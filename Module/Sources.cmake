@@ -45,6 +45,8 @@ set(rendering_sources
   LightingBoundary
   LightingJson
   LightingTable
+  LightingTableTexture
+  LightingTransferFunctionTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene

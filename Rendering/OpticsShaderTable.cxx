@@ -11,12 +11,17 @@
 #include "AnisotropyWorld.h"
 #include "CoefficientsDec.h"
 #include "CoefficientsOfProperty.h"
+#include "CoefficientsOfTable.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
 #include "FrameInit.h"
 #include "GradientOpacityNone.h"
 #include "GradientOpacityScalar.h"
+#include "HybridDec.h"
+#include "HybridDiffuse.h"
+#include "HybridNormal.h"
+#include "HybridSurface.h"
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
@@ -42,6 +47,9 @@
 #include "ReflectanceWard.h"
 #include "ScalarGradientCentral.h"
 #include "ScalarGradientStored.h"
+#include "ScalarLookup.h"
+#include "ScalarPairExtrapolated.h"
+#include "ScalarPairFetched.h"
 #include "ScatteringPhase.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
@@ -99,8 +107,11 @@ const Row Table[] = {
   { F::GradientCentralWithNormal, &ComputeLightingDec, NormalForCentral },
   { F::GradientCentralWithoutNormal, &ComputeLightingDec, NoNormalForCentral },
   { F::GradientCentral, &ComputeLightingDec, ExtinctionGradientCentral },
+  { F::ScalarLookup, &ComputeLightingDec, ScalarLookup },
   { F::ScalarGradientStored, &ComputeLightingDec, ScalarGradientStored },
   { F::ScalarGradientCentral, &ComputeLightingDec, ScalarGradientCentral },
+  { F::ScalarPairFetched, &ComputeLightingDec, ScalarPairFetched },
+  { F::ScalarPairExtrapolated, &ComputeLightingDec, ScalarPairExtrapolated },
   { F::Surface, &ComputeLightingDec, SurfaceDec },
   { F::ExtinctionSurface, &ComputeLightingDec, SurfaceCoefficient },
   { F::ReflectanceWard, &ComputeLightingDec, MajorParameterWard },
@@ -118,7 +129,13 @@ const Row Table[] = {
   { F::GradientOpacityScalar, &ComputeLightingDec, GradientOpacityScalar },
   { F::Reflectance, &ComputeLightingDec, CoefficientsDec },
   { F::CoefficientsOfProperty, &ComputeLightingDec, CoefficientsOfProperty },
+  { F::CoefficientsOfTable, &ComputeLightingDec, CoefficientsOfTable },
+  { F::HybridNormals, &ComputeLightingDec, HybridNormal },
+  { F::HybridNormals, &ComputeLightingDec, HybridDec },
   { F::Reflectance, &ComputeLightingDec, Lighting },
+
+  { F::HybridNormals, &SurfacePlace, HybridSurface },
+  { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.

@@ -19,9 +19,15 @@ enum class OpticsFeature
   ReflectanceWard,
   ReflectanceLafortune,
   CoefficientsOfProperty,
+  CoefficientsOfTable,
+  ScalarPairFetched,
+  ScalarPairExtrapolated,
+  HybridNormals,
+  HybridDiffuse,     // with a model whose diffuse part has a side
   Scattering,        // a model whose diffuse part is a phase function
   Surface,           // a model with a normal
   ExtinctionSurface, // a model with the normal of the classified extinction
+  ScalarLookup,
   ScalarGradientStored,
   ScalarGradientCentral,
   Anisotropic,

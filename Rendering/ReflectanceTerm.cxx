@@ -4,6 +4,7 @@
 #include "ReflectanceTerm.h"
 
 #include "LightUniforms.h"
+#include "LightingTransferFunctionTerm.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -46,7 +47,8 @@ bool StoresScalarGradient(const OpticsScene& scene)
 
 bool NeedsScalarGradient(const OpticsScene& scene)
 {
-  return scene.Optics->GetReflectanceModel() == Property::VTK;
+  return scene.Optics->GetReflectanceModel() == Property::VTK ||
+    scene.Optics->GetLightingTransferFunction() != nullptr;
 }
 
 bool IsAnisotropic(const OpticsScene& scene)
@@ -92,7 +94,8 @@ bool NeedsFrames(const OpticsScene& scene)
 // Whether the scene asks for light other than VTK's own.
 bool ReplacesLighting(const OpticsScene& scene)
 {
-  return scene.Optics->GetReflectanceModel() != Property::VTK;
+  return scene.Optics->GetReflectanceModel() != Property::VTK ||
+    scene.Optics->GetLightingTransferFunction() != nullptr;
 }
 
 // VTK's rays have no length in a volume whose points lie in a plane, and its pictures no meaning.
@@ -100,6 +103,11 @@ bool IsFlat(const OpticsScene& scene)
 {
   const int* size = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetDimensions();
   return !scene.CellScalars && *std::min_element(size, size + 3) == 1;
+}
+
+bool IsTwoSided(const OpticsScene& scene)
+{
+  return scene.Renderer->GetTwoSidedLighting() && !LightingTransferFunctionTerm::HasHybridNormals(scene);
 }
 
 // What the term cannot shade, in words; empty where it can.
@@ -133,10 +141,15 @@ std::string Unsupported(const OpticsScene& scene)
   return std::string();
 }
 
-double SmallestSpacing(const OpticsScene& scene)
+void SayUnsupported(const OpticsScene& scene, const std::string& reason)
 {
-  const double* spacing = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetSpacing();
-  return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  const bool hasModel = scene.Optics->GetReflectanceModel() != Property::VTK;
+  const std::string who = hasModel
+    ? std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString()
+    : std::string("The lighting transfer function");
+  const std::string remedy = hasModel ? "SetReflectanceModelToVTK()" : "SetLightingTransferFunction(nullptr)";
+  scene.Mapper->Say(
+    who + " does not support " + reason + ": the picture is VTK's own. " + remedy + " silences this.");
 }
 
 double UnitDistance(const OpticsScene& scene)
@@ -223,6 +236,7 @@ void AddExtinctionFeatures(const OpticsScene& scene, OpticsFeatures& features)
 //------------------------------------------------------------------------------
 bool ReflectanceTerm::IsActive(const OpticsScene& scene)
 {
+  this->IsLit = false;
   if (!ReplacesLighting(scene) || !scene.Volume->GetProperty()->GetShade())
   {
     return false;
@@ -230,15 +244,20 @@ bool ReflectanceTerm::IsActive(const OpticsScene& scene)
   const std::string reason = Unsupported(scene);
   if (!reason.empty())
   {
-    scene.Mapper->Say(std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString() +
-      " does not support " + reason +
-      ": the picture is VTK's own. SetReflectanceModelToVTK() silences this.");
+    SayUnsupported(scene, reason);
   }
   return reason.empty();
 }
 
 //------------------------------------------------------------------------------
 bool ReflectanceTerm::Prepare(const OpticsScene& scene)
+{
+  this->IsLit = this->PrepareFrames(scene);
+  return this->IsLit;
+}
+
+//------------------------------------------------------------------------------
+bool ReflectanceTerm::PrepareFrames(const OpticsScene& scene)
 {
   if (!NeedsFrames(scene))
   {
@@ -275,7 +294,10 @@ void ReflectanceTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
 {
   features.Add(OpticsFeature::Reflectance);
   features.Add(ModelFeature(scene.Optics->GetReflectanceModel()));
-  features.Add(OpticsFeature::CoefficientsOfProperty);
+  if (!scene.Optics->GetLightingTransferFunction())
+  {
+    features.Add(OpticsFeature::CoefficientsOfProperty);
+  }
   features.NumberOfLights = CountLights(scene.Renderer);
   features.Add(
     HasPositionalLight(scene.Renderer) ? OpticsFeature::LightsPositional : OpticsFeature::LightsDirectional);
@@ -305,6 +327,10 @@ void ReflectanceTerm::AddSurfaceFeatures(const OpticsScene& scene, OpticsFeature
     features.Add(StoresScalarGradient(scene) ? OpticsFeature::ScalarGradientStored
                                              : OpticsFeature::ScalarGradientCentral);
   }
+  if (NeedsScalarGradient(scene) && !StoresScalarGradient(scene))
+  {
+    features.Add(OpticsFeature::ScalarLookup);
+  }
   if (HasExtinctionSurface(scene))
   {
     features.Add(OpticsFeature::ExtinctionSurface);
@@ -323,7 +349,7 @@ void ReflectanceTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* pr
   SetSpaces(scene, program);
   SetLightUniforms(scene.Renderer, program);
   program->SetUniformf("in_opticsScatteringAnisotropy", scene.Optics->GetScatteringAnisotropy());
-  program->SetUniformf("in_opticsTwoSided", scene.Renderer->GetTwoSidedLighting() ? 1.0F : 0.0F);
+  program->SetUniformf("in_opticsTwoSided", IsTwoSided(scene) ? 1.0F : 0.0F);
   float channel[4] = {};
   channel[scene.OpacityComponent] = 1.0F;
   program->SetUniform4f("in_opticsOpacityChannel", channel);

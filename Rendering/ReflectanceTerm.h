@@ -24,9 +24,13 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   std::size_t GetMemorySize() const override;
 
+  /** Whether light is evaluated here in this frame; known once it is prepared. */
+  bool LightsScene() const { return this->IsLit; }
+
   FrameProvider Frames;
 
 private:
+  bool PrepareFrames(const OpticsScene& scene);
   void AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features) const;
   void SetGradientUniforms(const OpticsScene& scene, vtkShaderProgram* program);
   void SetSurfaceUniforms(const OpticsScene& scene, vtkShaderProgram* program);
@@ -35,6 +39,7 @@ private:
   FrameTextures Textures;
   ScalarOpacityTexture Opacity;
   OpticsFeature Storage = OpticsFeature::AnisotropyMap;
+  bool IsLit = false;
 };
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "DefaultOptics.h"
 #include "LightUniforms.h"
+#include "LightingTransferFunctionTerm.h"
 #include "OpticsFactory.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
@@ -36,6 +37,7 @@ vtkStandardNewMacro(vtkOpticsVolumeMapper);
 namespace
 {
 const char* const GradientTypeNames[] = { "Stored", "CentralDifferences" };
+const char* const LightingSamplesNames[] = { "Fetched", "Extrapolated" };
 }
 
 class vtkOpticsVolumeMapper::Implementation
@@ -45,7 +47,8 @@ public:
   void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
 
   ReflectanceTerm Reflectance;
-  std::vector<OpticsTerm*> All = { &this->Reflectance };
+  LightingTransferFunctionTerm LightingTransferFunction{ this->Reflectance };
+  std::vector<OpticsTerm*> All = { &this->Reflectance, &this->LightingTransferFunction };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -252,6 +255,18 @@ const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
+{
+  volumeoptics::SetPrecision(this, "TablePrecision", bits, this->TablePrecision);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetLightingSamplesAsString()
+{
+  return LightingSamplesNames[this->LightingSamples];
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetQuality(int quality)
 {
   this->Quality = std::clamp(quality, static_cast<int>(Custom), static_cast<int>(Reference));
@@ -385,6 +400,9 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FramePrecision: " << this->FramePrecision << "\n";
   os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
   os << indent << "ScalarGradient: " << this->GetScalarGradientAsString() << "\n";
+  os << indent << "LightingTableSize: " << this->LightingTableSize << "\n";
+  os << indent << "TablePrecision: " << this->TablePrecision << "\n";
+  os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "ActiveTerms: " << this->Terms->ActiveTerms << "\n";
   os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";

@@ -159,6 +159,42 @@ public:
 
   ///@{
   /**
+   * Points on each axis of the table of a lighting transfer function, over the range of the scalars;
+   * in [1, 4096]. Default 256. The GPU holds the square of it, four numbers each.
+   */
+  vtkGetMacro(LightingTableSize, int);
+  vtkSetClampMacro(LightingTableSize, int, 1, 4096);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of the transfer functions' tables on the GPU: 8, 16 or 32 (float). Default 16.
+   * Other numbers are refused with a warning.
+   */
+  vtkGetMacro(TablePrecision, int);
+  void SetTablePrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
+   * Where a lighting transfer function takes the scalars on both sides of a sample from: two fetches of
+   * the volume along the gradient (Fetched); or as if the scalar were linear there, from the gradient's
+   * magnitude, by no fetch of its own (Extrapolated). Default Fetched.
+   */
+  enum LightingSamplesType
+  {
+    Fetched = 0,
+    Extrapolated
+  };
+  vtkGetMacro(LightingSamples, int);
+  vtkSetClampMacro(LightingSamples, int, Fetched, Extrapolated);
+  void SetLightingSamplesToFetched() { this->SetLightingSamples(Fetched); }
+  void SetLightingSamplesToExtrapolated() { this->SetLightingSamples(Extrapolated); }
+  const char* GetLightingSamplesAsString();
+  ///@}
+
+  ///@{
+  /**
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
    * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
@@ -228,6 +264,9 @@ private:
   int FramePrecision = 8;
   int ExtinctionGradient = Stored;
   int ScalarGradient = CentralDifferences;
+  int LightingTableSize = 256;
+  int TablePrecision = 16;
+  int LightingSamples = Fetched;
   int Quality = Custom;
 
   class Implementation;

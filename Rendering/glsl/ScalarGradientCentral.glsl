@@ -1,15 +1,9 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeLighting::Dec. Gradient of the scalar in [0, 1] per step h, data space.
+// Place ComputeLighting::Dec, after ScalarLookup. Gradient of the scalar in [0, 1] per step h, data space.
 
 uniform mat3 in_opticsDifferenceToStep; // differences along the index axes to a gradient times h
-
-float opticsScalarAt(vec3 texPosition)
-{
-  vec4 texel = texture(in_volume[0], texPosition) * in_volume_scale[0] + in_volume_bias[0];
-  return dot(texel, in_opticsOpacityChannel);
-}
 
 vec3 opticsScalarGradient(vec3 texPosition)
 {
