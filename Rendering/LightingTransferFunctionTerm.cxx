@@ -100,8 +100,7 @@ void LightingTransferFunctionTerm::SetUniforms(const OpticsScene& scene, vtkShad
 {
   LightingTableTexture::Request request;
   request.Function = scene.Optics->GetLightingTransferFunction();
-  request.Density =
-    HasHybridNormals(scene) ? scene.Volume->GetProperty()->GetScalarOpacity() : nullptr;
+  request.Density = HasHybridNormals(scene) ? scene.Volume->GetProperty()->GetScalarOpacity() : nullptr;
   scene.Mapper->GetLoadedScalarRange(scene.OpacityComponent, request.Range);
   request.Range[1] = request.Range[1] > request.Range[0] ? request.Range[1] : request.Range[0] + 1.0;
   request.Size = scene.Mapper->GetLightingTableSize();

@@ -46,6 +46,7 @@
 #include "ReflectanceVTK.h"
 #include "ReflectanceWard.h"
 #include "ScalarGradientCentral.h"
+#include "ScalarGradientOfSample.h"
 #include "ScalarGradientStored.h"
 #include "ScalarLookup.h"
 #include "ScalarPairExtrapolated.h"
@@ -71,6 +72,7 @@ const Place BaseDec = { "//VTK::Base::Dec", true };
 const Place BaseInit = { "//VTK::Base::Init", true };
 const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", false };
 // Places of our own, in Lighting.glsl.
+const Place GradientPlace = { "//Optics::Gradient", false };
 const Place SurfacePlace = { "//Optics::Surface", false };
 const Place LightPlace = { "//Optics::Light", false };
 const Place TransmissionPlace = { "//Optics::Transmission", false };
@@ -134,6 +136,8 @@ const Row Table[] = {
   { F::HybridNormals, &ComputeLightingDec, HybridDec },
   { F::Reflectance, &ComputeLightingDec, Lighting },
 
+  { F::ScalarGradientStored, &GradientPlace, ScalarGradientOfSample },
+  { F::ScalarGradientCentral, &GradientPlace, ScalarGradientOfSample },
   { F::HybridNormals, &SurfacePlace, HybridSurface },
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
 };
@@ -174,7 +178,7 @@ std::string NumberOfLightsText(int lights)
 // Our own places are in our text; those that no term fills leave nothing behind.
 void FillOwnPlaces(std::string& fragment, const OpticsFeatures& features)
 {
-  for (const Place* place : { &SurfacePlace, &LightPlace, &TransmissionPlace })
+  for (const Place* place : { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace })
   {
     vtkShaderProgram::Substitute(fragment, place->Tag, TextFor(*place, features), false);
   }

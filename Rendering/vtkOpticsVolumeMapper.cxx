@@ -257,7 +257,16 @@ const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
 {
-  volumeoptics::SetPrecision(this, "TablePrecision", bits, this->TablePrecision);
+  if (bits != 16 && bits != 32)
+  {
+    vtkWarningMacro(<< "TablePrecision " << bits << " is not set: choose 16 or 32.");
+    return;
+  }
+  if (this->TablePrecision != bits)
+  {
+    this->TablePrecision = bits;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -168,8 +168,8 @@ public:
 
   ///@{
   /**
-   * Bits of each number of the transfer functions' tables on the GPU: 8, 16 or 32 (float). Default 16.
-   * Other numbers are refused with a warning.
+   * Bits of each number of the transfer functions' tables on the GPU: 16 or 32 (float). Default 32. Other
+   * numbers are refused with a warning.
    */
   vtkGetMacro(TablePrecision, int);
   void SetTablePrecision(int bits);
@@ -265,7 +265,7 @@ private:
   int ExtinctionGradient = Stored;
   int ScalarGradient = CentralDifferences;
   int LightingTableSize = 256;
-  int TablePrecision = 16;
+  int TablePrecision = 32;
   int LightingSamples = Fetched;
   int Quality = Custom;
 

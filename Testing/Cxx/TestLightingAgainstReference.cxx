@@ -93,8 +93,7 @@ const Setting Settings[] = {
   { "direction matrix", TurnDirections },
   { "uneven spacing", [](TestScene& s) { s.Source->SetDimensions(32, 20, 44); } },
   { "two lights", AddSun },
-  { "32 bits", [](TestScene& s) { s.Optics->SetTablePrecision(32); } },
-  { "8 bits", [](TestScene& s) { s.Optics->SetTablePrecision(8); }, 0.5 },
+  { "16 bits", [](TestScene& s) { s.Optics->SetTablePrecision(16); } },
   { "a table of 4096", [](TestScene& s) { s.Optics->SetLightingTableSize(4096); } },
   { "a table of 16", [](TestScene& s) { s.Optics->SetLightingTableSize(16); }, 4.0 },
 };
