@@ -16,7 +16,8 @@ set(rendering_classes
   vtkLightingTransferFunction
   vtkOpticsPreset
   vtkOpticsVolumeMapper
-  vtkOpticsVolumeProperty)
+  vtkOpticsVolumeProperty
+  vtkPreIntegratedTable)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -34,12 +35,16 @@ set(filter_sources
   ScalarSource
   SobelStencil)
 set(rendering_sources
+  AttenuatedStretch
   DefaultOptics
   FrameProvider
+  FrameTerm
   FrameTextures
   HeadlessContext
   HeadlessContextEGL
   HeadlessContextOSMesa
+  IntegrationTerm
+  IsosurfaceTexture
   JsonDocument
   LightUniforms
   LightingBoundary
@@ -51,8 +56,14 @@ set(rendering_sources
   OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
+  PreIntegratedTexture
+  PreIntegration
+  RayUniforms
   ReflectanceTerm
-  ScalarOpacityTexture
+  SceneNeeds
+  TransferFunctionStretches
+  TransferFunctionTerm
+  TransferFunctionTexture
   vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)

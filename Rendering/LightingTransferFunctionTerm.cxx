@@ -3,7 +3,9 @@
 
 #include "LightingTransferFunctionTerm.h"
 
-#include "ReflectanceTerm.h"
+#include "FrameTerm.h"
+#include "RayUniforms.h"
+#include "SceneNeeds.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -19,11 +21,6 @@
 namespace
 {
 using Property = vtkOpticsVolumeProperty;
-
-bool Is2D(const OpticsScene& scene)
-{
-  return scene.Volume->GetProperty()->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
-}
 
 bool FetchesPair(const OpticsScene& scene)
 {
@@ -46,16 +43,9 @@ void SetStepToVoxels(const OpticsScene& scene, vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-bool LightingTransferFunctionTerm::HasHybridNormals(const OpticsScene& scene)
-{
-  return scene.Optics->GetLightingTransferFunction() && scene.Optics->GetHybridNormals() && !Is2D(scene) &&
-    scene.Optics->GetReflectanceModel() != Property::None;
-}
-
-//------------------------------------------------------------------------------
 bool LightingTransferFunctionTerm::IsActive(const OpticsScene& scene)
 {
-  const bool isActive = scene.Optics->GetLightingTransferFunction() && this->Light.LightsScene();
+  const bool isActive = HasLightingTable(scene);
   if (isActive && scene.Optics->GetHybridNormals() && Is2D(scene))
   {
     scene.Mapper->Say("HybridNormals need a scalar opacity function, which a 2D transfer function is "
@@ -66,9 +56,9 @@ bool LightingTransferFunctionTerm::IsActive(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
-bool LightingTransferFunctionTerm::Prepare(const OpticsScene&)
+bool LightingTransferFunctionTerm::Prepare(const OpticsScene& scene)
 {
-  return true;
+  return this->Frames.Serves(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -101,8 +91,7 @@ void LightingTransferFunctionTerm::SetUniforms(const OpticsScene& scene, vtkShad
   LightingTableTexture::Request request;
   request.Function = scene.Optics->GetLightingTransferFunction();
   request.Density = HasHybridNormals(scene) ? scene.Volume->GetProperty()->GetScalarOpacity() : nullptr;
-  scene.Mapper->GetLoadedScalarRange(scene.OpacityComponent, request.Range);
-  request.Range[1] = request.Range[1] > request.Range[0] ? request.Range[1] : request.Range[0] + 1.0;
+  CoordinateRange(scene, request.Range);
   request.Size = scene.Mapper->GetLightingTableSize();
   request.Bits = scene.Mapper->GetTablePrecision();
   this->Table.Update(request, scene.Window);

@@ -4,12 +4,15 @@
 #include "vtkOpticsVolumeMapper.h"
 
 #include "DefaultOptics.h"
+#include "FrameTerm.h"
+#include "IntegrationTerm.h"
 #include "LightUniforms.h"
 #include "LightingTransferFunctionTerm.h"
 #include "OpticsFactory.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
 #include "ReflectanceTerm.h"
+#include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -46,9 +49,14 @@ public:
   std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
   void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
 
-  ReflectanceTerm Reflectance;
-  LightingTransferFunctionTerm LightingTransferFunction{ this->Reflectance };
-  std::vector<OpticsTerm*> All = { &this->Reflectance, &this->LightingTransferFunction };
+  // In the order of preparation: first what others build on.
+  FrameTerm Frames;
+  TransferFunctionTerm TransferFunctions;
+  ReflectanceTerm Reflectance{ this->Frames };
+  IntegrationTerm Integration{ this->Frames };
+  LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
+  std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
+    &this->LightingTransferFunction, &this->Integration };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -72,12 +80,17 @@ std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const Op
     {
       term->AddFeatures(scene, features);
       active.push_back(term);
-      this->ActiveTerms += (this->ActiveTerms.empty() ? "" : ",") + std::string(term->GetName());
+      const std::string name = term->GetName();
+      this->ActiveTerms += (this->ActiveTerms.empty() || name.empty() ? "" : ",") + name;
     }
     else
     {
       term->ReleaseGraphicsResources(scene.Window);
     }
+  }
+  if (this->ActiveTerms.empty())
+  {
+    active.clear(); // what is left is only what others would have built on
   }
   this->Pass->SetFeatures(features);
   return active;
@@ -193,47 +206,47 @@ vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::GetOptics()
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetNormalsInputConnection(vtkAlgorithmOutput* output)
 {
-  this->Terms->Reflectance.Frames.NormalsInput = FrameProvider::Connection(output);
+  this->Terms->Frames.Provider.NormalsInput = FrameProvider::Connection(output);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetNormalsInputData(vtkImageData* normals)
 {
-  this->Terms->Reflectance.Frames.NormalsInput = FrameProvider::Connection(normals);
+  this->Terms->Frames.Provider.NormalsInput = FrameProvider::Connection(normals);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetAnisotropyInputConnection(vtkAlgorithmOutput* output)
 {
-  this->Terms->Reflectance.Frames.AnisotropyInput = FrameProvider::Connection(output);
+  this->Terms->Frames.Provider.AnisotropyInput = FrameProvider::Connection(output);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
 {
-  this->Terms->Reflectance.Frames.AnisotropyInput = FrameProvider::Connection(anisotropy);
+  this->Terms->Frames.Provider.AnisotropyInput = FrameProvider::Connection(anisotropy);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
 {
-  return this->Terms->Reflectance.Frames.Sobel;
+  return this->Terms->Frames.Provider.Sobel;
 }
 
 //------------------------------------------------------------------------------
 vtkAmbientCovarianceFilter* vtkOpticsVolumeMapper::GetAmbientCovarianceFilter()
 {
-  return this->Terms->Reflectance.Frames.Covariance;
+  return this->Terms->Frames.Provider.Covariance;
 }
 
 //------------------------------------------------------------------------------
 vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter()
 {
-  return this->Terms->Reflectance.Frames.Curvature;
+  return this->Terms->Frames.Provider.Curvature;
 }
 
 //------------------------------------------------------------------------------
@@ -243,15 +256,9 @@ void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
 }
 
 //------------------------------------------------------------------------------
-const char* vtkOpticsVolumeMapper::GetExtinctionGradientAsString()
+void vtkOpticsVolumeMapper::SetPreIntegrationTableSize(int size)
 {
-  return GradientTypeNames[this->ExtinctionGradient];
-}
-
-//------------------------------------------------------------------------------
-const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
-{
-  return GradientTypeNames[this->ScalarGradient];
+  volumeoptics::SetWithinRange(this, "PreIntegrationTableSize", size, 2, 4096, this->PreIntegrationTableSize);
 }
 
 //------------------------------------------------------------------------------
@@ -267,6 +274,18 @@ void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
     this->TablePrecision = bits;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetExtinctionGradientAsString()
+{
+  return GradientTypeNames[this->ExtinctionGradient];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
+{
+  return GradientTypeNames[this->ScalarGradient];
 }
 
 //------------------------------------------------------------------------------
@@ -410,8 +429,9 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
   os << indent << "ScalarGradient: " << this->GetScalarGradientAsString() << "\n";
   os << indent << "LightingTableSize: " << this->LightingTableSize << "\n";
-  os << indent << "TablePrecision: " << this->TablePrecision << "\n";
   os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
+  os << indent << "PreIntegrationTableSize: " << this->PreIntegrationTableSize << "\n";
+  os << indent << "TablePrecision: " << this->TablePrecision << "\n";
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "ActiveTerms: " << this->Terms->ActiveTerms << "\n";
   os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";

@@ -168,7 +168,16 @@ public:
 
   ///@{
   /**
-   * Bits of each number of the transfer functions' tables on the GPU: 16 or 32 (float). Default 32. Other
+   * Entries per axis of the table of Classification PreIntegrated, in [2, 4096]. Default 256. The table is
+   * rebuilt when a transfer function or the range of the data changes.
+   */
+  vtkGetMacro(PreIntegrationTableSize, int);
+  void SetPreIntegrationTableSize(int size);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of transfer functions' tables on the GPU: 16 or 32 (float). Default 32. Other
    * numbers are refused with a warning.
    */
   vtkGetMacro(TablePrecision, int);
@@ -265,8 +274,9 @@ private:
   int ExtinctionGradient = Stored;
   int ScalarGradient = CentralDifferences;
   int LightingTableSize = 256;
-  int TablePrecision = 32;
   int LightingSamples = Fetched;
+  int PreIntegrationTableSize = 256;
+  int TablePrecision = 32;
   int Quality = Custom;
 
   class Implementation;

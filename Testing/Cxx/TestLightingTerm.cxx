@@ -6,7 +6,6 @@
 
 #include "TestScene.h"
 
-#include "vtkCharArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
@@ -177,8 +176,7 @@ void CheckType(Check& check, const std::vector<unsigned char>& expected)
   ShowThinly(scene, Ball<Array>(TwoMaterials));
   LightBoundary(scene, 40.0, 65.0, 85.0, 110.0, 0.3, 1.0, 0.5);
   scene.Property->SetLightScale(5.0);
-  // VTK takes 1/256, not 1/255, for the code of an unsigned char: a hundredth of a scalar of 100
-  const int bound = array->GetDataTypeSize() == 1 ? 8 : 1;
+  const int bound = 2; // roundings of the eighth bit, in the texture and in the picture
   const int difference = LargestDifference(expected, scene.Render());
   std::cout << array->GetClassName() << ": differs by " << difference << "\n";
   check.That(
@@ -193,7 +191,6 @@ void CheckTypes(Check& check)
   scene.Property->SetLightScale(5.0);
   const std::vector<unsigned char> expected = scene.Render();
   check.AtLeast("light", *std::max_element(expected.begin(), expected.end()), 50);
-  CheckType<vtkCharArray>(check, expected);
   CheckType<vtkSignedCharArray>(check, expected);
   CheckType<vtkUnsignedCharArray>(check, expected);
   CheckType<vtkShortArray>(check, expected);

@@ -36,9 +36,12 @@ void CheckScene(
 {
   for (const int model : Models)
   {
-    if (model == vtkOpticsVolumeProperty::VTK && !UsesLighting)
+    // VTK's model alone is no term's; TestShaderValidity has every model under a lighting transfer function
+    const bool isDrawn =
+      UsesLighting ? model <= vtkOpticsVolumeProperty::None : model > vtkOpticsVolumeProperty::VTK;
+    if (!isDrawn)
     {
-      continue; // no term draws that
+      continue;
     }
     TestScene scene;
     scene.Window->SetSize(60, 60);
@@ -270,6 +273,8 @@ int TestReflectanceExtremes(int argc, char* argv[])
   if (UsesLighting)
   {
     CheckLighting(check);
+    CheckData(check);
+    return check.ExitCode();
   }
   CheckParameters(check);
   CheckData(check);

@@ -58,7 +58,7 @@ LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sa
 }
 
 //------------------------------------------------------------------------------
-Vector LightingTransferRadiance(const Scene& scene, const Sample& sample)
+Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color)
 {
   const Vector gradient = scene.field->Gradient(sample.position);
   const double steepness = glm::length(gradient);
@@ -82,7 +82,7 @@ Vector LightingTransferRadiance(const Scene& scene, const Sample& sample)
   }
   const double fade = std::abs(coefficients.side);
   const Vector radiance =
-    scene.Color(sample.scalar) * (coefficients.ambient + coefficients.diffuse * fade * diffuse) +
+    color * (coefficients.ambient + coefficients.diffuse * fade * diffuse) +
     coefficients.specular * fade * specular;
   return glm::min(radiance, LargestRadiance);
 }

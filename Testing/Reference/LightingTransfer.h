@@ -23,7 +23,7 @@ struct LightingCoefficients
 LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient);
 
 // The mapper's Phong model with those coefficients; the other models are not here.
-Vector LightingTransferRadiance(const Scene& scene, const Sample& sample);
+Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color);
 }
 
 #endif
