@@ -7,6 +7,7 @@ set(filter_classes
   vtkAmbientCovarianceFilter
   vtkAnalyticVolumeSource
   vtkAnisotropyFilter
+  vtkGradientAlignedHistogram
   vtkOpticsImageFilter
   vtkPrincipalCurvatureFilter
   vtkSobelNormalFilter
@@ -26,6 +27,7 @@ set(filter_sources
   CovarianceKernel
   CovarianceSampler
   GaussianFilter
+  GradientAlignedSampler
   ImageGrid
   LiteralSampling
   PrincipalCurvature

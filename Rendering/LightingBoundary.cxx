@@ -82,8 +82,8 @@ std::array<std::vector<double>, 2> MeanWeights(
     {
       const double first = range[0] + i * width;
       const double last = range[0] + (i + 1) * width;
-      weights[side].push_back(boundary.Materials[side].MeanWeight(
-        std::min(first, last), std::max(first, last), boundary.Softness));
+      weights[side].push_back(
+        boundary.Materials[side].MeanWeight(std::min(first, last), std::max(first, last), boundary.Softness));
     }
   }
   return weights;

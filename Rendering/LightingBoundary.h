@@ -19,7 +19,7 @@ using LightingCoefficients = std::array<double, 3>; // ambient, diffuse, specula
 
 struct LightingMaterial
 {
-  std::array<double, 2> Range = { 0.0, 0.0 }; // ordered
+  std::array<double, 2> Range = { 0.0, 0.0 };  // ordered
   vtkSmartPointer<vtkPiecewiseFunction> Curve; // instead of Range, where set
 
   // Weight of a scalar, in [0, 1].

@@ -50,8 +50,8 @@ bool vtkLightingTransferFunction::HasBoundary(int boundary, const char* method)
   const int count = this->GetNumberOfBoundaries();
   if (boundary < 0 || boundary >= count)
   {
-    vtkErrorMacro(<< method << ": there is no boundary " << boundary << ". Boundaries are numbered from 0, and there are "
-                  << count << ".");
+    vtkErrorMacro(<< method << ": there is no boundary " << boundary
+                  << ". Boundaries are numbered from 0, and there are " << count << ".");
     return false;
   }
   return true;
@@ -64,7 +64,8 @@ int vtkLightingTransferFunction::AddBoundary(
   if (!IsFinite(rangeA) || !IsFinite(rangeB))
   {
     vtkErrorMacro(<< "The ranges [" << rangeA[0] << ", " << rangeA[1] << "] and [" << rangeB[0] << ", "
-                  << rangeB[1] << "] are not finite; no boundary is added. Take the ends of the scalar range.");
+                  << rangeB[1]
+                  << "] are not finite; no boundary is added. Take the ends of the scalar range.");
     return -1;
   }
   LightingBoundary boundary;
@@ -137,7 +138,8 @@ void vtkLightingTransferFunction::SetRange(int boundary, int side, double low, d
   }
   if (side < 0 || side > 1 || !IsFinite(range) || this->GetCurve(boundary, side))
   {
-    vtkErrorMacro(<< "SetRange: [" << low << ", " << high << "] of side " << side << " of boundary " << boundary
+    vtkErrorMacro(<< "SetRange: [" << low << ", " << high << "] of side " << side << " of boundary "
+                  << boundary
                   << " is not set. Sides are 0 and 1, ends are finite, and a curve is edited itself.");
     return;
   }
@@ -293,7 +295,8 @@ bool vtkLightingTransferFunction::WriteJson(const char* fileName)
   }
   catch (const volumeoptics::JsonError& error)
   {
-    vtkErrorMacro(<< "The lighting transfer function " << (fileName ? fileName : "(no name)") << ": " << error.what());
+    vtkErrorMacro(<< "The lighting transfer function " << (fileName ? fileName : "(no name)") << ": "
+                  << error.what());
     return false;
   }
   return true;
@@ -308,7 +311,8 @@ bool vtkLightingTransferFunction::ReadJson(const char* fileName)
   }
   catch (const volumeoptics::JsonError& error)
   {
-    vtkErrorMacro(<< "The lighting transfer function " << (fileName ? fileName : "(no name)") << ": " << error.what());
+    vtkErrorMacro(<< "The lighting transfer function " << (fileName ? fileName : "(no name)") << ": "
+                  << error.what());
     return false;
   }
   this->Modified();
