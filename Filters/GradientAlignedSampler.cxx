@@ -77,8 +77,8 @@ double GradientAlignedSampler::Interpolate(const glm::dvec3& index) const
   bool isInside = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double inside = std::clamp(
-      index[axis], static_cast<double>(box[2 * axis]), static_cast<double>(box[2 * axis + 1]));
+    const double inside =
+      std::clamp(index[axis], static_cast<double>(box[2 * axis]), static_cast<double>(box[2 * axis + 1]));
     // extents may be negative: truncation from the box's corner is a floor
     voxel[axis] = box[2 * axis] + static_cast<int>(inside - box[2 * axis]);
     weight[axis] = inside - voxel[axis];

@@ -13,9 +13,9 @@ namespace volumeoptics
 {
 struct GradientAlignedSample
 {
-  double Center; // NaN where there is no value
-  double Ahead;  // S1: uphill
-  double Behind; // S2: downhill
+  double Center;            // NaN where there is no value
+  double Ahead;             // S1: uphill
+  double Behind;            // S2: downhill
   double GradientMagnitude; // per world length
 };
 
@@ -24,8 +24,7 @@ class GradientAlignedSampler
 {
 public:
   // tile: of the grid's whole extent. step: world length.
-  GradientAlignedSampler(
-    const ImageGrid& grid, const ScalarSource& source, const Extent& tile, double step);
+  GradientAlignedSampler(const ImageGrid& grid, const ScalarSource& source, const Extent& tile, double step);
 
   // Voxels around one whose scalars are needed.
   static Halo GetReach(const ImageGrid& grid, double step);

@@ -112,8 +112,8 @@ void CountTile(const Extent& tile, volumeoptics::GradientAlignedSampler& sampler
           scalars.Contains(sample.Behind) && !owners.IsForeign(x, y, z))
         {
           ++counts.Pairs[scalars.Bin(sample.Ahead) + scalars.Bins * scalars.Bin(sample.Behind)];
-          ++counts.Gradients[scalars.Bin(sample.Center) +
-            scalars.Bins * gradients.Bin(sample.GradientMagnitude)];
+          ++counts
+              .Gradients[scalars.Bin(sample.Center) + scalars.Bins * gradients.Bin(sample.GradientMagnitude)];
         }
         ++x;
       }
@@ -259,10 +259,9 @@ bool vtkGradientAlignedHistogram::ComputeArrays(const ImageGrid& grid, const vol
   for (const Counts& part : partial)
   {
     const auto add = std::plus<>();
+    std::transform(part.Pairs.begin(), part.Pairs.end(), counts.Pairs.begin(), counts.Pairs.begin(), add);
     std::transform(
-      part.Pairs.begin(), part.Pairs.end(), counts.Pairs.begin(), counts.Pairs.begin(), add);
-    std::transform(part.Gradients.begin(), part.Gradients.end(), counts.Gradients.begin(),
-      counts.Gradients.begin(), add);
+      part.Gradients.begin(), part.Gradients.end(), counts.Gradients.begin(), counts.Gradients.begin(), add);
   }
   if (isComplete)
   {

@@ -83,8 +83,7 @@ private:
   vtkGradientAlignedHistogram(const vtkGradientAlignedHistogram&) = delete;
   void operator=(const vtkGradientAlignedHistogram&) = delete;
 
-  bool FindRange(
-    const volumeoptics::ImageRows& rows, volumeoptics::Batches& batches, double range[2]) const;
+  bool FindRange(const volumeoptics::ImageRows& rows, volumeoptics::Batches& batches, double range[2]) const;
 
   int NumberOfBins = 256;
   double ScalarRange[2] = { 1.0, 0.0 };

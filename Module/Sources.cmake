@@ -36,6 +36,7 @@ set(filter_sources
   ScalarSource
   SobelStencil)
 set(rendering_sources
+  BoundarySearch
   DefaultOptics
   FrameProvider
   FrameTextures

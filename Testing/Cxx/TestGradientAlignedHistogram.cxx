@@ -239,9 +239,9 @@ void CheckTypes(Report& report)
   vtkNew<vtkGradientAlignedHistogram> expected;
   expected->SetInputData(testing::MakeImage(Geometry{}, rounded, VTK_DOUBLE));
   expected->Update();
-  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
-         VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
-         VTK_FLOAT })
+  for (const int type :
+    { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT,
+      VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_FLOAT })
   {
     vtkNew<vtkGradientAlignedHistogram> filter;
     filter->SetInputData(testing::MakeImage(Geometry{}, rounded, type));
