@@ -15,6 +15,7 @@ set(filter_classes
 set(rendering_classes
   vtkHeadlessRenderWindow
   vtkLightingTransferFunction
+  vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty)
@@ -48,6 +49,7 @@ set(rendering_sources
   LightingBoundary
   LightingJson
   LightingTable
+  MultiSampleRules
   OpticsFactory
   OpticsScene
   OpticsShaderTable

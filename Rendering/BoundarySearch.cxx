@@ -135,8 +135,8 @@ std::vector<double> MaterialBins(const PairCounts& pairs)
   std::vector<double> materials;
   for (const int bin : order)
   {
-    const bool isNew = std::all_of(
-      modes.begin(), modes.end(), [&](int mode) { return IsApart(profile, bin, mode); });
+    const bool isNew =
+      std::all_of(modes.begin(), modes.end(), [&](int mode) { return IsApart(profile, bin, mode); });
     double mass = 0.0;
     double moment = 0.0;
     for (int i = std::max(bin - reach, 0); i <= std::min(bin + reach, pairs.GetBins() - 1); ++i)

@@ -30,6 +30,7 @@ using namespace glm;
 #include "AnisotropyFrame.glsl"
 #include "Reflectance.glsl"
 #include "SoftRange.glsl"
+#include "MultiSampleRule.glsl"
 #undef float
 }
 }

@@ -31,6 +31,7 @@ using namespace glm;
 #include "OpticsFloat/AnisotropyFrame.glsl"
 #include "OpticsFloat/Reflectance.glsl"
 #include "OpticsFloat/SoftRange.glsl"
+#include "OpticsFloat/MultiSampleRule.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }
 }

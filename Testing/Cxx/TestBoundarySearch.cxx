@@ -100,8 +100,7 @@ void CheckLight(Report& report)
   testing::Geometry geometry;
   geometry.Extent = { 0, 63, 0, 63, 0, 63 };
   vtkNew<vtkGradientAlignedHistogram> filter;
-  filter->SetInputData(
-    testing::MakeImage(geometry, [&](const glm::dvec3& p) { return Shells(phantom, p); }));
+  filter->SetInputData(testing::MakeImage(geometry, [&](const glm::dvec3& p) { return Shells(phantom, p); }));
   filter->Update();
   vtkImageData* histogram = filter->GetOutput();
   vtkNew<vtkLightingTransferFunction> function;

@@ -110,8 +110,8 @@ void CheckExtremes(Check& check)
   }
   check.AtMost("boxes outside of the table's range", largest, 0.0);
 
-  for (const auto& [low, high] : { std::pair<double, double>{ 5.0, 5.0 }, { 90.0, 0.0 }, { -1e308, 1e308 },
-         { 0.0, 1e-310 } })
+  for (const auto& [low, high] :
+    { std::pair<double, double>{ 5.0, 5.0 }, { 90.0, 0.0 }, { -1e308, 1e308 }, { 0.0, 1e-310 } })
   {
     for (const float value : Table(function, low, high, 7))
     {
@@ -143,8 +143,8 @@ void CheckTableAgainstValues(Check& check)
       Triple mean = { 0.0, 0.0, 0.0 };
       for (int i = 0; i < fine * fine; ++i)
       {
-        const Triple k = At(
-          function, 5.0 * (column + (i % fine + 0.5) / fine), 5.0 * (row + (i / fine + 0.5) / fine));
+        const Triple k =
+          At(function, 5.0 * (column + (i % fine + 0.5) / fine), 5.0 * (row + (i / fine + 0.5) / fine));
         for (int channel = 0; channel < 3; ++channel)
         {
           mean[channel] += k[channel] / fine / fine;
@@ -207,8 +207,7 @@ void CheckImages(Check& check)
     image->GetPointData()->GetScalars()->Fill(0.0);
     image->SetScalarComponentFromDouble(4, 0, 0, 0, 255.0); // S1 = 40, S2 = 0
     const Triple k = At(function, 35.0, 5.0);
-    const Triple expected =
-      components == 1 ? Triple{ 0.25, 0.25, 0.25 } : Triple{ 0.25, 0.0, 0.0 };
+    const Triple expected = components == 1 ? Triple{ 0.25, 0.25, 0.25 } : Triple{ 0.25, 0.0, 0.0 };
     for (int i = 0; i < 3; ++i)
     {
       check.Near("linear between points", k[i], expected[i], Rounding);
@@ -341,7 +340,8 @@ void CheckJsonErrors(Check& check, const std::string& folder)
     { "{\"Boundary\": []}", "unknown key Boundary" },
     { "{\"Boundaries\": [4]}", "Boundaries[0] is 4" },
     { "{\"Boundaries\": [{\"RangeA\": [0, 1]}]}", "Boundaries[0] has no RangeB" },
-    { "{\"Boundaries\": [{\"RangeA\": [0, \"x\"], \"RangeB\": [0, 1]}]}", "Boundaries[0].RangeA is [0,\"x\"]" },
+    { "{\"Boundaries\": [{\"RangeA\": [0, \"x\"], \"RangeB\": [0, 1]}]}",
+      "Boundaries[0].RangeA is [0,\"x\"]" },
     { "{\"Boundaries\": [{\"RangeA\": [0, 1], \"RangeB\": [0, 1, 2]}]}", "array of 2 finite numbers" },
     { "{\"Boundaries\": [{\"RangeA\": [0, 1], \"RangeB\": [0, 1], \"Softness\": -1}]}", "Softness is -1" },
     { "{\"Boundaries\": [{\"RangeA\": [0, 1], \"RangeB\": [0, 1], \"Diffuse\": 2}]}", "in [0, 1]" },
@@ -358,8 +358,8 @@ void CheckJsonErrors(Check& check, const std::string& folder)
   {
     const std::size_t before = warnings.Texts.size();
     check.That(!function->ReadJsonString(test.Text), std::string(test.Text) + " is refused");
-    check.That(warnings.Texts.size() == before + 1 &&
-        warnings.Texts.back().find(test.Named) != std::string::npos,
+    check.That(
+      warnings.Texts.size() == before + 1 && warnings.Texts.back().find(test.Named) != std::string::npos,
       std::string(test.Text) + " names '" + test.Named + "'" +
         (warnings.Texts.empty() ? "" : ": " + warnings.Texts.back()));
   }
