@@ -15,6 +15,7 @@ set(filter_classes
 set(rendering_classes
   vtkHeadlessRenderWindow
   vtkLightingTransferFunction
+  vtkLightingTransferFunctionItem
   vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
@@ -46,7 +47,10 @@ set(rendering_sources
   HeadlessContextOSMesa
   JsonDocument
   LightUniforms
+  HistogramPicture
   LightingBoundary
+  LightingEditor
+  LightingEditorPainter
   LightingJson
   LightingTable
   MultiSampleRules

@@ -96,8 +96,8 @@ std::vector<MultiSampleRule> RulesFromJson(const Json::Value& document, int larg
   const int count = object.Has("Rules") ? object.At("Rules").Size() : 0;
   if (count > largest)
   {
-    throw JsonError("Rules has " + std::to_string(count) + " rules; there may be " +
-      std::to_string(largest) + ". Leave some out.");
+    throw JsonError("Rules has " + std::to_string(count) + " rules; there may be " + std::to_string(largest) +
+      ". Leave some out.");
   }
   for (int i = 0; i < count; ++i)
   {

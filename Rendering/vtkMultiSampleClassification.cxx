@@ -74,8 +74,10 @@ int vtkMultiSampleClassification::AddRule(const double s[2], const double s1[2],
   if (!isNumber || index >= LargestNumberOfRules)
   {
     vtkErrorMacro(<< "The rule is not added: "
-                  << (isNumber ? "there is no room. Remove one of the " : "an end of a range is not a number. ")
-                  << (isNumber ? std::to_string(index) + " rules first." : "Take infinite ends for any scalar."));
+                  << (isNumber ? "there is no room. Remove one of the "
+                               : "an end of a range is not a number. ")
+                  << (isNumber ? std::to_string(index) + " rules first."
+                               : "Take infinite ends for any scalar."));
     return -1;
   }
   this->Internal->Rules.emplace_back();

@@ -98,9 +98,8 @@ void CheckBranchAndLeaf(Check& check)
       const bool isLeaf = s >= 50.0 && s <= 150.0;
       const Color former = isLeaf ? leaf : Color{ 0.5, 0.3, 0.1, s > 150.0 ? 0.9 : 0.0 };
       const double step = 1.5; // beyond the blur
-      const Color color = withRules
-        ? At(rules, s, profile(material, x - step), profile(material, x + step), former)
-        : former;
+      const Color color =
+        withRules ? At(rules, s, profile(material, x - step), profile(material, x + step), former) : former;
       green += color[1] > color[0] && color[3] > 0.2;
     }
     return green;
@@ -126,7 +125,8 @@ void CheckJson(Check& check, const std::string& folder)
   read->GetRules(numbers);
   check.That(numbers == written, "and the numbers");
   const Warnings warnings(read);
-  const std::pair<const char*, const char*> cases[] = { { "{\"Rules\": [{\"S\": [1]}]}", "Rules[0].S is [1]" },
+  const std::pair<const char*, const char*> cases[] = { { "{\"Rules\": [{\"S\": [1]}]}",
+                                                          "Rules[0].S is [1]" },
     { "{\"Rules\": [{\"S3\": [1, 2]}]}", "unknown key S3" },
     { "{\"Rules\": [{\"Opacity\": 1.5}]}", "Opacity is 1.5" },
     { "{\"Rules\": [{\"Color\": [0, 0, 2]}]}", "Color is [0,0,2]" },
