@@ -45,16 +45,19 @@ set(rendering_sources
   HeadlessContext
   HeadlessContextEGL
   HeadlessContextOSMesa
+  HistogramPicture
   JsonDocument
   LightUniforms
-  HistogramPicture
   LightingBoundary
   LightingEditor
   LightingEditorPainter
   LightingJson
   LightingTable
+  LightingTableTexture
+  LightingTransferFunctionTerm
   MultiSampleRules
   OpticsFactory
+  OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
   ReflectanceTerm

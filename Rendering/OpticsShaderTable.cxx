@@ -9,12 +9,20 @@
 #include "AnisotropyFrame.h"
 #include "AnisotropyMap.h"
 #include "AnisotropyWorld.h"
+#include "CoefficientsDec.h"
+#include "CoefficientsOfProperty.h"
+#include "CoefficientsOfTable.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
 #include "FrameInit.h"
 #include "GradientOpacityNone.h"
 #include "GradientOpacityScalar.h"
+#include "HybridDec.h"
+#include "HybridDiffuse.h"
+#include "HybridNormal.h"
+#include "HybridSurface.h"
+#include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
 #include "MajorParameterLafortune.h"
@@ -34,10 +42,17 @@
 #include "Reflectance.h"
 #include "ReflectanceBlinnPhong.h"
 #include "ReflectanceLafortune.h"
-#include "ReflectanceLighting.h"
 #include "ReflectanceNone.h"
+#include "ReflectanceVTK.h"
 #include "ReflectanceWard.h"
+#include "ScalarGradientCentral.h"
+#include "ScalarGradientStored.h"
+#include "ScalarLookup.h"
+#include "ScalarPairExtrapolated.h"
+#include "ScalarPairFetched.h"
+#include "ScatteringPhase.h"
 #include "SurfaceAnisotropic.h"
+#include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
 
 #include <vector>
@@ -55,6 +70,10 @@ struct Place
 const Place BaseDec = { "//VTK::Base::Dec", true };
 const Place BaseInit = { "//VTK::Base::Init", true };
 const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", false };
+// Places of our own, in Lighting.glsl.
+const Place SurfacePlace = { "//Optics::Surface", false };
+const Place LightPlace = { "//Optics::Light", false };
+const Place TransmissionPlace = { "//Optics::Transmission", false };
 
 struct Row
 {
@@ -71,15 +90,15 @@ const Row Table[] = {
   { F::Reflectance, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
 
-  { F::Reflectance, &ComputeLightingDec, PhaseFunction },
-  { F::Surface, &ComputeLightingDec, Opacity },
-  { F::Surface, &ComputeLightingDec, Reflectance },
+  { F::Scattering, &ComputeLightingDec, PhaseFunction },
+  { F::ExtinctionSurface, &ComputeLightingDec, Opacity },
+  { F::ExtinctionSurface, &ComputeLightingDec, Reflectance },
   { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
   { F::FrameLookup, &ComputeLightingDec, NormalLookup },
   { F::AnisotropyMap, &ComputeLightingDec, AnisotropyMap },
   { F::AnisotropyComponents, &ComputeLightingDec, AnisotropyComponents },
   { F::AnisotropyWorld, &ComputeLightingDec, AnisotropyWorld },
-  { F::Surface, &ComputeLightingDec, OpacityTable },
+  { F::ExtinctionSurface, &ComputeLightingDec, OpacityTable },
   { F::OpacityAtScalar, &ComputeLightingDec, OpacityAtScalar },
   { F::OpacityAtScalarAndGradient, &ComputeLightingDec, OpacityAtScalarAndGradient },
   { F::OpacityAt2D, &ComputeLightingDec, OpacityAt2D },
@@ -88,19 +107,35 @@ const Row Table[] = {
   { F::GradientCentralWithNormal, &ComputeLightingDec, NormalForCentral },
   { F::GradientCentralWithoutNormal, &ComputeLightingDec, NoNormalForCentral },
   { F::GradientCentral, &ComputeLightingDec, ExtinctionGradientCentral },
+  { F::ScalarLookup, &ComputeLightingDec, ScalarLookup },
+  { F::ScalarGradientStored, &ComputeLightingDec, ScalarGradientStored },
+  { F::ScalarGradientCentral, &ComputeLightingDec, ScalarGradientCentral },
+  { F::ScalarPairFetched, &ComputeLightingDec, ScalarPairFetched },
+  { F::ScalarPairExtrapolated, &ComputeLightingDec, ScalarPairExtrapolated },
   { F::Surface, &ComputeLightingDec, SurfaceDec },
+  { F::ExtinctionSurface, &ComputeLightingDec, SurfaceCoefficient },
   { F::ReflectanceWard, &ComputeLightingDec, MajorParameterWard },
   { F::ReflectanceLafortune, &ComputeLightingDec, MajorParameterLafortune },
   { F::Anisotropic, &ComputeLightingDec, SurfaceAnisotropic },
+  { F::ReflectanceVTK, &ComputeLightingDec, ReflectanceVTK },
   { F::ReflectanceNone, &ComputeLightingDec, ReflectanceNone },
   { F::ReflectanceBlinnPhong, &ComputeLightingDec, ReflectanceBlinnPhong },
   { F::ReflectanceWard, &ComputeLightingDec, ReflectanceWard },
   { F::ReflectanceLafortune, &ComputeLightingDec, ReflectanceLafortune },
+  { F::Scattering, &ComputeLightingDec, ScatteringPhase },
   { F::LightsDirectional, &ComputeLightingDec, LightsDirectional },
   { F::LightsPositional, &ComputeLightingDec, LightsPositional },
   { F::GradientOpacityNone, &ComputeLightingDec, GradientOpacityNone },
   { F::GradientOpacityScalar, &ComputeLightingDec, GradientOpacityScalar },
-  { F::Reflectance, &ComputeLightingDec, ReflectanceLighting },
+  { F::Reflectance, &ComputeLightingDec, CoefficientsDec },
+  { F::CoefficientsOfProperty, &ComputeLightingDec, CoefficientsOfProperty },
+  { F::CoefficientsOfTable, &ComputeLightingDec, CoefficientsOfTable },
+  { F::HybridNormals, &ComputeLightingDec, HybridNormal },
+  { F::HybridNormals, &ComputeLightingDec, HybridDec },
+  { F::Reflectance, &ComputeLightingDec, Lighting },
+
+  { F::HybridNormals, &SurfacePlace, HybridSurface },
+  { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
@@ -136,6 +171,15 @@ std::string NumberOfLightsText(int lights)
     std::to_string(slots) + "\n";
 }
 
+// Our own places are in our text; those that no term fills leave nothing behind.
+void FillOwnPlaces(std::string& fragment, const OpticsFeatures& features)
+{
+  for (const Place* place : { &SurfacePlace, &LightPlace, &TransmissionPlace })
+  {
+    vtkShaderProgram::Substitute(fragment, place->Tag, TextFor(*place, features), false);
+  }
+}
+
 bool Insert(std::string& fragment, const Place& place, const std::string& text)
 {
   if (text.empty())
@@ -154,8 +198,12 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
   {
     return true;
   }
-  const std::string lighting =
-    NumberOfLightsText(features.NumberOfLights) + TextFor(ComputeLightingDec, features);
+  std::string lighting = TextFor(ComputeLightingDec, features);
+  if (!lighting.empty())
+  {
+    lighting.insert(0, NumberOfLightsText(features.NumberOfLights));
+    FillOwnPlaces(lighting, features);
+  }
   return Insert(fragment, BaseDec, TextFor(BaseDec, features)) &&
     Insert(fragment, BaseInit, TextFor(BaseInit, features)) && Insert(fragment, ComputeLightingDec, lighting);
 }

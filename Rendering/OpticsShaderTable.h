@@ -12,12 +12,24 @@
 
 enum class OpticsFeature
 {
-  Reflectance, // the term of reflectance models: replaces VTK's computeLighting()
+  Reflectance, // light is evaluated here: replaces VTK's computeLighting()
+  ReflectanceVTK,
   ReflectanceNone,
   ReflectanceBlinnPhong,
   ReflectanceWard,
   ReflectanceLafortune,
-  Surface, // a model with a normal
+  CoefficientsOfProperty,
+  CoefficientsOfTable,
+  ScalarPairFetched,
+  ScalarPairExtrapolated,
+  HybridNormals,
+  HybridDiffuse,     // with a model whose diffuse part has a side
+  Scattering,        // a model whose diffuse part is a phase function
+  Surface,           // a model with a normal
+  ExtinctionSurface, // a model with the normal of the classified extinction
+  ScalarLookup,
+  ScalarGradientStored,
+  ScalarGradientCentral,
   Anisotropic,
   AnisotropyMap,
   AnisotropyComponents,

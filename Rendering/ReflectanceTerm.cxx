@@ -4,6 +4,7 @@
 #include "ReflectanceTerm.h"
 
 #include "LightUniforms.h"
+#include "LightingTransferFunctionTerm.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -31,6 +32,23 @@ using Property = vtkOpticsVolumeProperty;
 bool HasSurface(const OpticsScene& scene)
 {
   return scene.Optics->GetReflectanceModel() != Property::None;
+}
+
+// Normals are those of the classified extinction, but VTK's model takes the scalar's.
+bool HasExtinctionSurface(const OpticsScene& scene)
+{
+  return HasSurface(scene) && scene.Optics->GetReflectanceModel() != Property::VTK;
+}
+
+bool StoresScalarGradient(const OpticsScene& scene)
+{
+  return scene.Mapper->GetScalarGradient() == vtkOpticsVolumeMapper::Stored;
+}
+
+bool NeedsScalarGradient(const OpticsScene& scene)
+{
+  return scene.Optics->GetReflectanceModel() == Property::VTK ||
+    scene.Optics->GetLightingTransferFunction() != nullptr;
 }
 
 bool IsAnisotropic(const OpticsScene& scene)
@@ -67,8 +85,17 @@ bool NeedsCentralDifferences(const OpticsScene& scene)
 // a gradient-dependent opacity needs at the neighbours.
 bool NeedsFrames(const OpticsScene& scene)
 {
-  return HasSurface(scene) &&
-    (IsAnisotropic(scene) || !NeedsCentralDifferences(scene) || HasGradientOpacity(scene) || Is2D(scene));
+  const bool isAtHand = NeedsScalarGradient(scene) && StoresScalarGradient(scene);
+  return isAtHand ||
+    (HasExtinctionSurface(scene) &&
+      (IsAnisotropic(scene) || !NeedsCentralDifferences(scene) || HasGradientOpacity(scene) || Is2D(scene)));
+}
+
+// Whether the scene asks for light other than VTK's own.
+bool ReplacesLighting(const OpticsScene& scene)
+{
+  return scene.Optics->GetReflectanceModel() != Property::VTK ||
+    scene.Optics->GetLightingTransferFunction() != nullptr;
 }
 
 // VTK's rays have no length in a volume whose points lie in a plane, and its pictures no meaning.
@@ -76,6 +103,11 @@ bool IsFlat(const OpticsScene& scene)
 {
   const int* size = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetDimensions();
   return !scene.CellScalars && *std::min_element(size, size + 3) == 1;
+}
+
+bool IsTwoSided(const OpticsScene& scene)
+{
+  return scene.Renderer->GetTwoSidedLighting() && !LightingTransferFunctionTerm::HasHybridNormals(scene);
 }
 
 // What the term cannot shade, in words; empty where it can.
@@ -109,10 +141,15 @@ std::string Unsupported(const OpticsScene& scene)
   return std::string();
 }
 
-double SmallestSpacing(const OpticsScene& scene)
+void SayUnsupported(const OpticsScene& scene, const std::string& reason)
 {
-  const double* spacing = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetSpacing();
-  return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  const bool hasModel = scene.Optics->GetReflectanceModel() != Property::VTK;
+  const std::string who = hasModel
+    ? std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString()
+    : std::string("The lighting transfer function");
+  const std::string remedy = hasModel ? "SetReflectanceModelToVTK()" : "SetLightingTransferFunction(nullptr)";
+  scene.Mapper->Say(
+    who + " does not support " + reason + ": the picture is VTK's own. " + remedy + " silences this.");
 }
 
 double UnitDistance(const OpticsScene& scene)
@@ -144,25 +181,25 @@ void SetSpaces(const OpticsScene& scene, vtkShaderProgram* program)
   program->SetUniformMatrix("in_opticsNormalToEye", normals); // transposed by not transposing
 }
 
-// Differences of the optical depth over two voxels on each index axis, to D times its gradient.
-void SetDifferences(const OpticsScene& scene, vtkShaderProgram* program)
+// Differences over two voxels on each index axis, to the gradient times a length.
+void SetDifferences(const OpticsScene& scene, double length, const char* name, vtkShaderProgram* program)
 {
   auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
   vtkNew<vtkMatrix3x3> matrix;
   for (int i = 0; i < 9; ++i)
   {
     const double step = 2.0 * image->GetSpacing()[i % 3];
-    matrix->SetElement(
-      i / 3, i % 3, image->GetDirectionMatrix()->GetElement(i / 3, i % 3) * UnitDistance(scene) / step);
+    matrix->SetElement(i / 3, i % 3, image->GetDirectionMatrix()->GetElement(i / 3, i % 3) * length / step);
   }
-  SetMatrix(program, "in_opticsDifferenceToData", matrix);
+  SetMatrix(program, name, matrix);
 }
 
 OpticsFeature ModelFeature(int model)
 {
-  const OpticsFeature features[] = { OpticsFeature::ReflectanceNone, OpticsFeature::ReflectanceBlinnPhong,
-    OpticsFeature::ReflectanceWard, OpticsFeature::ReflectanceLafortune };
-  return features[model - Property::None];
+  const OpticsFeature features[] = { OpticsFeature::ReflectanceVTK, OpticsFeature::ReflectanceNone,
+    OpticsFeature::ReflectanceBlinnPhong, OpticsFeature::ReflectanceWard,
+    OpticsFeature::ReflectanceLafortune };
+  return features[model];
 }
 
 // Map and Components both have three numbers: the first one's name tells.
@@ -176,27 +213,51 @@ OpticsFeature StorageFeature(vtkDataArray* anisotropy)
   const bool isComponents = name && std::string(name) == "C11";
   return isComponents ? OpticsFeature::AnisotropyComponents : OpticsFeature::AnisotropyMap;
 }
+
+void AddExtinctionFeatures(const OpticsScene& scene, OpticsFeatures& features)
+{
+  if (NeedsCentralDifferences(scene))
+  {
+    features.Add(OpticsFeature::GradientCentral);
+    features.Add(NeedsFrames(scene) ? OpticsFeature::GradientCentralWithNormal
+                                    : OpticsFeature::GradientCentralWithoutNormal);
+  }
+  else
+  {
+    features.Add(OpticsFeature::GradientStored);
+  }
+  features.Add(Is2D(scene)        ? OpticsFeature::OpacityAt2D
+      : HasLabels(scene)          ? OpticsFeature::OpacityAtLabel
+      : HasGradientOpacity(scene) ? OpticsFeature::OpacityAtScalarAndGradient
+                                  : OpticsFeature::OpacityAtScalar);
+}
 }
 
 //------------------------------------------------------------------------------
 bool ReflectanceTerm::IsActive(const OpticsScene& scene)
 {
-  if (scene.Optics->GetReflectanceModel() == Property::VTK || !scene.Volume->GetProperty()->GetShade())
+  this->IsLit = false;
+  if (!ReplacesLighting(scene) || !scene.Volume->GetProperty()->GetShade())
   {
     return false;
   }
   const std::string reason = Unsupported(scene);
   if (!reason.empty())
   {
-    scene.Mapper->Say(std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString() +
-      " does not support " + reason +
-      ": the picture is VTK's own. SetReflectanceModelToVTK() silences this.");
+    SayUnsupported(scene, reason);
   }
   return reason.empty();
 }
 
 //------------------------------------------------------------------------------
 bool ReflectanceTerm::Prepare(const OpticsScene& scene)
+{
+  this->IsLit = this->PrepareFrames(scene);
+  return this->IsLit;
+}
+
+//------------------------------------------------------------------------------
+bool ReflectanceTerm::PrepareFrames(const OpticsScene& scene)
 {
   if (!NeedsFrames(scene))
   {
@@ -233,16 +294,47 @@ void ReflectanceTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
 {
   features.Add(OpticsFeature::Reflectance);
   features.Add(ModelFeature(scene.Optics->GetReflectanceModel()));
+  if (!scene.Optics->GetLightingTransferFunction())
+  {
+    features.Add(OpticsFeature::CoefficientsOfProperty);
+  }
   features.NumberOfLights = CountLights(scene.Renderer);
   features.Add(
     HasPositionalLight(scene.Renderer) ? OpticsFeature::LightsPositional : OpticsFeature::LightsDirectional);
   const bool hasVTKGradientOpacity = HasGradientOpacity(scene) && !Is2D(scene);
   features.Add(
     hasVTKGradientOpacity ? OpticsFeature::GradientOpacityScalar : OpticsFeature::GradientOpacityNone);
+  if (scene.Optics->GetReflectanceModel() != Property::VTK)
+  {
+    features.Add(OpticsFeature::Scattering);
+  }
+  this->AddSurfaceFeatures(scene, features);
+}
+
+//------------------------------------------------------------------------------
+void ReflectanceTerm::AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features) const
+{
   if (HasSurface(scene))
   {
     features.Add(OpticsFeature::Surface);
-    this->AddGradientFeatures(scene, features);
+  }
+  if (NeedsFrames(scene))
+  {
+    features.Add(OpticsFeature::FrameLookup);
+  }
+  if (NeedsScalarGradient(scene))
+  {
+    features.Add(StoresScalarGradient(scene) ? OpticsFeature::ScalarGradientStored
+                                             : OpticsFeature::ScalarGradientCentral);
+  }
+  if (NeedsScalarGradient(scene) && !StoresScalarGradient(scene))
+  {
+    features.Add(OpticsFeature::ScalarLookup);
+  }
+  if (HasExtinctionSurface(scene))
+  {
+    features.Add(OpticsFeature::ExtinctionSurface);
+    AddExtinctionFeatures(scene, features);
   }
   if (IsAnisotropic(scene))
   {
@@ -252,35 +344,17 @@ void ReflectanceTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
 }
 
 //------------------------------------------------------------------------------
-void ReflectanceTerm::AddGradientFeatures(const OpticsScene& scene, OpticsFeatures& features) const
-{
-  if (NeedsFrames(scene))
-  {
-    features.Add(OpticsFeature::FrameLookup);
-  }
-  if (NeedsCentralDifferences(scene))
-  {
-    features.Add(OpticsFeature::GradientCentral);
-    features.Add(NeedsFrames(scene) ? OpticsFeature::GradientCentralWithNormal
-                                    : OpticsFeature::GradientCentralWithoutNormal);
-  }
-  else
-  {
-    features.Add(OpticsFeature::GradientStored);
-  }
-  features.Add(Is2D(scene)        ? OpticsFeature::OpacityAt2D
-      : HasLabels(scene)          ? OpticsFeature::OpacityAtLabel
-      : HasGradientOpacity(scene) ? OpticsFeature::OpacityAtScalarAndGradient
-                                  : OpticsFeature::OpacityAtScalar);
-}
-
-//------------------------------------------------------------------------------
 void ReflectanceTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* program)
 {
   SetSpaces(scene, program);
   SetLightUniforms(scene.Renderer, program);
   program->SetUniformf("in_opticsScatteringAnisotropy", scene.Optics->GetScatteringAnisotropy());
-  if (HasSurface(scene))
+  program->SetUniformf("in_opticsTwoSided", IsTwoSided(scene) ? 1.0F : 0.0F);
+  float channel[4] = {};
+  channel[scene.OpacityComponent] = 1.0F;
+  program->SetUniform4f("in_opticsOpacityChannel", channel);
+  this->SetGradientUniforms(scene, program);
+  if (HasExtinctionSurface(scene))
   {
     this->SetSurfaceUniforms(scene, program);
     this->SetExtinctionUniforms(scene, program);
@@ -291,10 +365,25 @@ void ReflectanceTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* pr
 void ReflectanceTerm::SetSurfaceUniforms(const OpticsScene& scene, vtkShaderProgram* program)
 {
   Property* optics = scene.Optics;
-  program->SetUniformf("in_opticsTwoSided", scene.Renderer->GetTwoSidedLighting() ? 1.0F : 0.0F);
   program->SetUniformf("in_opticsSpecularFromExtinction", optics->GetSpecularFromExtinction() ? 1.0F : 0.0F);
   program->SetUniformf("in_opticsGlossiness", static_cast<float>(optics->GetGlossiness()));
   program->SetUniformf("in_opticsAnisotropyScale", static_cast<float>(optics->GetAnisotropyScale()));
+}
+
+//------------------------------------------------------------------------------
+void ReflectanceTerm::SetGradientUniforms(const OpticsScene& scene, vtkShaderProgram* program)
+{
+  const double step = SmallestSpacing(scene);
+  if (NeedsFrames(scene))
+  {
+    double range[2];
+    scene.Mapper->GetLoadedScalarRange(scene.OpacityComponent, range);
+    this->Textures.SetUniforms(program, step / (range[1] > range[0] ? range[1] - range[0] : 1.0));
+  }
+  if (NeedsScalarGradient(scene) && !StoresScalarGradient(scene))
+  {
+    SetDifferences(scene, step, "in_opticsDifferenceToStep", program);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -302,24 +391,14 @@ void ReflectanceTerm::SetExtinctionUniforms(const OpticsScene& scene, vtkShaderP
 {
   double range[2];
   scene.Mapper->GetLoadedScalarRange(scene.OpacityComponent, range);
-  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
   const double step = SmallestSpacing(scene);
-  if (NeedsFrames(scene))
-  {
-    this->Textures.SetUniforms(program, step / width);
-  }
-
   vtkPiecewiseFunction* opacity = scene.Volume->GetProperty()->GetScalarOpacity();
   const bool isNative = scene.Mapper->GetScalarOpacityRangeType() == vtkGPUVolumeRayCastMapper::NATIVE;
   this->Opacity.Update(opacity, isNative ? opacity->GetRange() : range, scene.Window);
   this->Opacity.SetUniforms(program);
-  float channel[4] = {};
-  channel[scene.OpacityComponent] = 1.0F;
-  program->SetUniform4f("in_opticsOpacityChannel", channel);
-
   if (NeedsCentralDifferences(scene))
   {
-    SetDifferences(scene, program);
+    SetDifferences(scene, UnitDistance(scene), "in_opticsDifferenceToData", program);
   }
   program->SetUniformf("in_opticsUnitStep", static_cast<float>(UnitDistance(scene) / step));
   const double* spacing = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetSpacing();

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Anisotropic ambient shading [Ament2015]: a phase function and a reflectance model in place of
-// VTK's Phong model.
+// The light of a sample, wherever the scene asks for other than VTK's own: a phase function and a
+// reflectance model [Ament2015], or VTK's Phong model with what other terms add at their places.
 
 #ifndef ReflectanceTerm_h
 #define ReflectanceTerm_h
@@ -24,16 +24,22 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   std::size_t GetMemorySize() const override;
 
+  /** Whether light is evaluated here in this frame; known once it is prepared. */
+  bool LightsScene() const { return this->IsLit; }
+
   FrameProvider Frames;
 
 private:
-  void AddGradientFeatures(const OpticsScene& scene, OpticsFeatures& features) const;
+  bool PrepareFrames(const OpticsScene& scene);
+  void AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features) const;
+  void SetGradientUniforms(const OpticsScene& scene, vtkShaderProgram* program);
   void SetSurfaceUniforms(const OpticsScene& scene, vtkShaderProgram* program);
   void SetExtinctionUniforms(const OpticsScene& scene, vtkShaderProgram* program);
 
   FrameTextures Textures;
   ScalarOpacityTexture Opacity;
   OpticsFeature Storage = OpticsFeature::AnisotropyMap;
+  bool IsLit = false;
 };
 
 #endif

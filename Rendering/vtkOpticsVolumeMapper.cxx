@@ -5,6 +5,7 @@
 
 #include "DefaultOptics.h"
 #include "LightUniforms.h"
+#include "LightingTransferFunctionTerm.h"
 #include "OpticsFactory.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
@@ -33,6 +34,12 @@
 
 vtkStandardNewMacro(vtkOpticsVolumeMapper);
 
+namespace
+{
+const char* const GradientTypeNames[] = { "Stored", "CentralDifferences" };
+const char* const LightingSamplesNames[] = { "Fetched", "Extrapolated" };
+}
+
 class vtkOpticsVolumeMapper::Implementation
 {
 public:
@@ -40,7 +47,8 @@ public:
   void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
 
   ReflectanceTerm Reflectance;
-  std::vector<OpticsTerm*> All = { &this->Reflectance };
+  LightingTransferFunctionTerm LightingTransferFunction{ this->Reflectance };
+  std::vector<OpticsTerm*> All = { &this->Reflectance, &this->LightingTransferFunction };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -237,7 +245,25 @@ void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
 //------------------------------------------------------------------------------
 const char* vtkOpticsVolumeMapper::GetExtinctionGradientAsString()
 {
-  return this->ExtinctionGradient == Stored ? "Stored" : "CentralDifferences";
+  return GradientTypeNames[this->ExtinctionGradient];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
+{
+  return GradientTypeNames[this->ScalarGradient];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
+{
+  volumeoptics::SetPrecision(this, "TablePrecision", bits, this->TablePrecision);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetLightingSamplesAsString()
+{
+  return LightingSamplesNames[this->LightingSamples];
 }
 
 //------------------------------------------------------------------------------
@@ -373,6 +399,10 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FrameResolutionFactor: " << this->FrameResolutionFactor << "\n";
   os << indent << "FramePrecision: " << this->FramePrecision << "\n";
   os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
+  os << indent << "ScalarGradient: " << this->GetScalarGradientAsString() << "\n";
+  os << indent << "LightingTableSize: " << this->LightingTableSize << "\n";
+  os << indent << "TablePrecision: " << this->TablePrecision << "\n";
+  os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "ActiveTerms: " << this->Terms->ActiveTerms << "\n";
   os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";

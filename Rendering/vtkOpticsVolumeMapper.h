@@ -131,7 +131,7 @@ public:
    * volume more. Opacities that depend on more than the scalar (gradient opacity, 2D transfer
    * functions) take central differences in any case. Default Stored.
    */
-  enum ExtinctionGradientType
+  enum GradientType
   {
     Stored = 0,
     CentralDifferences
@@ -141,6 +141,56 @@ public:
   void SetExtinctionGradientToStored() { this->SetExtinctionGradient(Stored); }
   void SetExtinctionGradientToCentralDifferences() { this->SetExtinctionGradient(CentralDifferences); }
   const char* GetExtinctionGradientAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How the gradient of the scalar itself is found, where a scene needs it (VTK's reflectance model
+   * together with other terms, silhouettes): by central differences, six fetches of the volume for each
+   * sample; or as the stored normal, one fetch after vtkSobelNormalFilter has run. Default
+   * CentralDifferences.
+   */
+  vtkGetMacro(ScalarGradient, int);
+  vtkSetClampMacro(ScalarGradient, int, Stored, CentralDifferences);
+  void SetScalarGradientToStored() { this->SetScalarGradient(Stored); }
+  void SetScalarGradientToCentralDifferences() { this->SetScalarGradient(CentralDifferences); }
+  const char* GetScalarGradientAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Points on each axis of the table of a lighting transfer function, over the range of the scalars;
+   * in [1, 4096]. Default 256. The GPU holds the square of it, four numbers each.
+   */
+  vtkGetMacro(LightingTableSize, int);
+  vtkSetClampMacro(LightingTableSize, int, 1, 4096);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of the transfer functions' tables on the GPU: 8, 16 or 32 (float). Default 16.
+   * Other numbers are refused with a warning.
+   */
+  vtkGetMacro(TablePrecision, int);
+  void SetTablePrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
+   * Where a lighting transfer function takes the scalars on both sides of a sample from: two fetches of
+   * the volume along the gradient (Fetched); or as if the scalar were linear there, from the gradient's
+   * magnitude, by no fetch of its own (Extrapolated). Default Fetched.
+   */
+  enum LightingSamplesType
+  {
+    Fetched = 0,
+    Extrapolated
+  };
+  vtkGetMacro(LightingSamples, int);
+  vtkSetClampMacro(LightingSamples, int, Fetched, Extrapolated);
+  void SetLightingSamplesToFetched() { this->SetLightingSamples(Fetched); }
+  void SetLightingSamplesToExtrapolated() { this->SetLightingSamples(Extrapolated); }
+  const char* GetLightingSamplesAsString();
   ///@}
 
   ///@{
@@ -213,6 +263,10 @@ private:
   double StepInVoxels = 0.0; // of a preset; 0: the user's or VTK's
   int FramePrecision = 8;
   int ExtinctionGradient = Stored;
+  int ScalarGradient = CentralDifferences;
+  int LightingTableSize = 256;
+  int TablePrecision = 16;
+  int LightingSamples = Fetched;
   int Quality = Custom;
 
   class Implementation;

@@ -4,6 +4,7 @@
 #include "vtkOpticsVolumeProperty.h"
 
 #include "ParameterRange.h"
+#include "vtkLightingTransferFunction.h"
 
 #include "vtkObjectFactory.h"
 
@@ -16,6 +17,10 @@ namespace
 {
 const char* const ReflectanceModelNames[] = { "VTK", "None", "BlinnPhong", "Ward", "Lafortune" };
 const char* const FrameSourceNames[] = { "Covariance", "Curvature" };
+const char* const IntegrationSpaceNames[] = { "Physical", "Data" };
+const char* const ClassificationNames[] = { "Post", "PreIntegrated" };
+const char* const SilhouetteNames[] = { "Off", "Exact", "Clamped", "Gradient" };
+const char* const TransmittedLightNames[] = { "Off", "Diffuse", "DiffuseAndSpecular" };
 
 bool HasGlossiness(int model)
 {
@@ -27,6 +32,12 @@ bool HasAnisotropyScale(int model)
   return model == vtkOpticsVolumeProperty::Ward || model == vtkOpticsVolumeProperty::Lafortune;
 }
 }
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty::vtkOpticsVolumeProperty() = default;
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty::~vtkOpticsVolumeProperty() = default;
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::SetReflectanceModel(int model)
@@ -103,6 +114,96 @@ float vtkOpticsVolumeProperty::GetScatteringAnisotropy() const
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetIntegrationSpace(int space)
+{
+  volumeoptics::SetChoice(this, "IntegrationSpace", space, IntegrationSpaceNames, this->IntegrationSpace);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetIntegrationSpaceAsString()
+{
+  return IntegrationSpaceNames[this->IntegrationSpace];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetClassification(int classification)
+{
+  volumeoptics::SetChoice(this, "Classification", classification, ClassificationNames, this->Classification);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetClassificationAsString()
+{
+  return ClassificationNames[this->Classification];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetSilhouette(int silhouette)
+{
+  volumeoptics::SetChoice(this, "Silhouette", silhouette, SilhouetteNames, this->Silhouette);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetSilhouetteAsString()
+{
+  return SilhouetteNames[this->Silhouette];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetTransmittedLight(int light)
+{
+  volumeoptics::SetChoice(this, "TransmittedLight", light, TransmittedLightNames, this->TransmittedLight);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeProperty::GetTransmittedLightAsString()
+{
+  return TransmittedLightNames[this->TransmittedLight];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetScalarOpacityUnitInterval(double interval)
+{
+  volumeoptics::SetWithinRange(
+    this, "ScalarOpacityUnitInterval", interval, 0.0, VTK_DOUBLE_MAX, this->ScalarOpacityUnitInterval);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetLightingTransferFunction(vtkLightingTransferFunction* function)
+{
+  if (this->LightingTransferFunction != function)
+  {
+    this->LightingTransferFunction = function;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLightingTransferFunction* vtkOpticsVolumeProperty::GetLightingTransferFunction()
+{
+  return this->LightingTransferFunction;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetGradientStepLength(double length)
+{
+  volumeoptics::SetWithinRange(this, "GradientStepLength", length, 0.0, 1.0e4, this->GradientStepLength);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetLightScale(double scale)
+{
+  volumeoptics::SetWithinRange(this, "LightScale", scale, 0.0, 1.0e6, this->LightScale);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkOpticsVolumeProperty::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->LightingTransferFunction ? std::max(time, this->LightingTransferFunction->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
 {
   this->Superclass::DeepCopy(source);
@@ -117,7 +218,28 @@ void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
   this->SpecularFromExtinction = optics->SpecularFromExtinction;
   this->FrameSource = optics->FrameSource;
   this->PhaseAnisotropy = optics->PhaseAnisotropy;
+  this->IntegrationSpace = optics->IntegrationSpace;
+  this->Classification = optics->Classification;
+  this->ScalarOpacityUnitInterval = optics->ScalarOpacityUnitInterval;
+  this->Isosurfaces = optics->Isosurfaces;
+  this->Silhouette = optics->Silhouette;
+  this->TransmittedLight = optics->TransmittedLight;
+  this->CopyLightingTransferFunction(optics);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::CopyLightingTransferFunction(vtkOpticsVolumeProperty* source)
+{
+  this->LightingTransferFunction = nullptr;
+  if (source->LightingTransferFunction)
+  {
+    this->LightingTransferFunction = vtkSmartPointer<vtkLightingTransferFunction>::New();
+    this->LightingTransferFunction->ShallowCopy(source->LightingTransferFunction);
+  }
+  this->GradientStepLength = source->GradientStepLength;
+  this->LightScale = source->LightScale;
+  this->HybridNormals = source->HybridNormals;
 }
 
 //------------------------------------------------------------------------------
@@ -135,4 +257,17 @@ void vtkOpticsVolumeProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SpecularFromExtinction: " << (this->SpecularFromExtinction ? "on" : "off") << "\n";
   os << indent << "FrameSource: " << this->GetFrameSourceAsString() << "\n";
   os << indent << "ScatteringAnisotropy: " << this->PhaseAnisotropy << "\n";
+  os << indent << "IntegrationSpace: " << this->GetIntegrationSpaceAsString() << "\n";
+  os << indent << "Classification: " << this->GetClassificationAsString() << "\n";
+  os << indent << "ScalarOpacityUnitInterval: " << this->ScalarOpacityUnitInterval << "\n";
+  for (const Isosurface& surface : this->Isosurfaces)
+  {
+    os << indent << "Isosurface: value " << surface.Value << ", opacity " << surface.Opacity << "\n";
+  }
+  os << indent << "Silhouette: " << this->GetSilhouetteAsString() << "\n";
+  os << indent << "TransmittedLight: " << this->GetTransmittedLightAsString() << "\n";
+  os << indent << "LightingTransferFunction: " << this->LightingTransferFunction.Get() << "\n";
+  os << indent << "GradientStepLength: " << this->GradientStepLength << "\n";
+  os << indent << "LightScale: " << this->LightScale << "\n";
+  os << indent << "HybridNormals: " << (this->HybridNormals ? "on" : "off") << "\n";
 }

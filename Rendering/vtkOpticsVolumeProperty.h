@@ -16,7 +16,7 @@
  * A number outside its range is set to the nearest one of the range, with a warning; a choice that
  * does not exist, or a number that is NaN, leaves the setting as it is, with a warning.
  *
- * Source: [Ament2015], see Module/References.md.
+ * Sources: [Ament2015], [Kraus2005], [Lum2004], see Module/References.md.
  *
  * @sa vtkOpticsVolumeMapper
  */
@@ -24,8 +24,13 @@
 #ifndef vtkOpticsVolumeProperty_h
 #define vtkOpticsVolumeProperty_h
 
+#include "vtkSmartPointer.h"       // for the lighting transfer function
 #include "vtkVolumeOpticsModule.h" // for export macro
 #include "vtkVolumeProperty.h"
+
+#include <vector> // for the isosurfaces
+
+class vtkLightingTransferFunction;
 
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeProperty : public vtkVolumeProperty
 {
@@ -36,7 +41,7 @@ public:
 
   /**
    * Copies the settings of vtkVolumeProperty and, if the source has them, of this class. Transfer
-   * functions are copied deeply.
+   * functions are copied deeply, but curves and table image of a lighting transfer function are shared.
    */
   void DeepCopy(vtkVolumeProperty* source);
 
@@ -132,13 +137,178 @@ public:
   float GetScatteringAnisotropy() const;
   ///@}
 
+  ///@{
+  /**
+   * The space in which opacity adds up along a ray. Physical, VTK's own: opacity belongs to a length
+   * (ScalarOpacityUnitDistance). Data: it belongs to an interval of the scalar
+   * (ScalarOpacityUnitInterval); pictures then do not depend on spacing, the world's scale, the step
+   * or the local gradient, and constant regions are invisible. Default Physical. [Kraus2005] section 3.
+   */
+  enum IntegrationSpaceType
+  {
+    Physical = 0,
+    Data
+  };
+  vtkGetMacro(IntegrationSpace, int);
+  void SetIntegrationSpace(int space);
+  void SetIntegrationSpaceToPhysical() { this->SetIntegrationSpace(Physical); }
+  void SetIntegrationSpaceToData() { this->SetIntegrationSpace(Data); }
+  const char* GetIntegrationSpaceAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How a segment between two samples is classified: by the value at its end (Post, VTK's own), or by
+   * the integral of the transfer functions over all values in between, from a table (PreIntegrated).
+   * In either space. Default Post. [Kraus2005] section 3.2.
+   */
+  enum ClassificationType
+  {
+    Post = 0,
+    PreIntegrated
+  };
+  vtkGetMacro(Classification, int);
+  void SetClassification(int classification);
+  void SetClassificationToPost() { this->SetClassification(Post); }
+  void SetClassificationToPreIntegrated() { this->SetClassification(PreIntegrated); }
+  const char* GetClassificationAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Data space: the interval of the scalar, in its own unit, that an opacity of the opacity function
+   * belongs to: a ray that crosses so much of a constant function is that opaque. At least 0; 0 is one
+   * hundredth of the opacity function's own range. Default 0.
+   */
+  vtkGetMacro(ScalarOpacityUnitInterval, double);
+  void SetScalarOpacityUnitInterval(double interval);
+  /** The interval in use: never 0 unless the function's range is. */
+  double GetEffectiveScalarOpacityUnitInterval();
+  ///@}
+
+  ///@{
+  /**
+   * Data space: a surface of exactly this opacity in [0, 1] wherever a ray crosses the value, whatever
+   * the opacity function is there. Its colour is given (each of r, g, b in [0, 1]), or that of the
+   * colour function, which for two dependent components reads the first one. Returns the surface's
+   * index; a value that is not finite is refused with a warning, and -1. [Kraus2005] section 3.3.
+   */
+  int AddIsosurface(double value, double r, double g, double b, double opacity);
+  int AddIsosurface(double value, double opacity);
+  int GetNumberOfIsosurfaces() { return static_cast<int>(this->Isosurfaces.size()); }
+  double GetIsosurfaceValue(int index);
+  double GetIsosurfaceOpacity(int index);
+  void GetIsosurfaceColor(int index, double rgb[3]);
+  bool GetIsosurfaceHasColor(int index);
+  void RemoveIsosurface(int index);
+  void RemoveAllIsosurfaces();
+  ///@}
+
+  ///@{
+  /**
+   * Data space: how opacity grows where the ray grazes a surface. Off; Exact, as a thin layer does,
+   * 1 - (1 - a)^(1/|cos|), [Kraus2005] eq. 15; Clamped, min(1, a/|cos|), eq. 16; Gradient, the
+   * gradient's magnitude in place of its projection in post-classification, eq. 18. Default Off.
+   */
+  enum SilhouetteType
+  {
+    SilhouetteOff = 0,
+    Exact,
+    Clamped,
+    Gradient
+  };
+  vtkGetMacro(Silhouette, int);
+  void SetSilhouette(int silhouette);
+  void SetSilhouetteToOff() { this->SetSilhouette(SilhouetteOff); }
+  void SetSilhouetteToExact() { this->SetSilhouette(Exact); }
+  void SetSilhouetteToClamped() { this->SetSilhouette(Clamped); }
+  void SetSilhouetteToGradient() { this->SetSilhouette(Gradient); }
+  const char* GetSilhouetteAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Data space, with Shade on: light that falls on a surface from behind shines through it: not at all
+   * (Off), by its diffuse part, or with a highlight around the light as well. Independent of the step;
+   * an opaque surface transmits nothing. Default Off. [Kraus2005] eq. 19.
+   */
+  enum TransmittedLightType
+  {
+    TransmittedLightOff = 0,
+    Diffuse,
+    DiffuseAndSpecular
+  };
+  vtkGetMacro(TransmittedLight, int);
+  void SetTransmittedLight(int light);
+  void SetTransmittedLightToOff() { this->SetTransmittedLight(TransmittedLightOff); }
+  void SetTransmittedLightToDiffuse() { this->SetTransmittedLight(Diffuse); }
+  void SetTransmittedLightToDiffuseAndSpecular() { this->SetTransmittedLight(DiffuseAndSpecular); }
+  const char* GetTransmittedLightAsString();
+  ///@}
+
+  ///@{
+  /**
+   * With Shade on: coefficients of light by the scalars on both sides of a sample along the gradient.
+   * They replace Ambient, Diffuse and Specular with every reflectance model, and are multiplied by
+   * LightScale. nullptr, the default, is none. [Lum2004]
+   */
+  void SetLightingTransferFunction(vtkLightingTransferFunction* function);
+  vtkLightingTransferFunction* GetLightingTransferFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Distance from a sample to those on both sides of it, in units of the image's smallest spacing; in
+   * [0, 1e4], default 1. At 0 both are the sample itself. Outside of the volume the scalar is that of
+   * its nearest border point. [Lum2004] h of eq. 2.
+   */
+  vtkGetMacro(GradientStepLength, double);
+  void SetGradientStepLength(double length);
+  ///@}
+
+  ///@{
+  /**
+   * Factor of the coefficients of the lighting transfer function; in [0, 1e6], default 1. Above 1 a
+   * sample's colour may exceed its opacity, so that nearly transparent boundaries remain visible; it
+   * is not clamped before the whole ray is composited. [Lum2004] section 3.4.
+   */
+  vtkGetMacro(LightScale, double);
+  void SetLightScale(double scale);
+  ///@}
+
+  ///@{
+  /**
+   * With a lighting transfer function: whether light falls on one side of a surface alone, on that of
+   * the less opaque material, as the scalar opacity function has it for the scalars on both sides,
+   * whatever the renderer's two-sided lighting; where both are of nearly the same opacity light fades
+   * from one side to the other. Default off. [Lum2004] section 3.3.
+   */
+  vtkGetMacro(HybridNormals, bool);
+  vtkSetMacro(HybridNormals, bool);
+  vtkBooleanMacro(HybridNormals, bool);
+  ///@}
+
+  /** The latest change of this object and of the functions it refers to. */
+  vtkMTimeType GetMTime() override;
+
 protected:
-  vtkOpticsVolumeProperty() = default;
-  ~vtkOpticsVolumeProperty() override = default;
+  vtkOpticsVolumeProperty();
+  ~vtkOpticsVolumeProperty() override;
 
 private:
   vtkOpticsVolumeProperty(const vtkOpticsVolumeProperty&) = delete;
   void operator=(const vtkOpticsVolumeProperty&) = delete;
+
+  struct Isosurface
+  {
+    double Value;
+    double Color[3];
+    double Opacity;
+    bool HasColor;
+  };
+  int InsertIsosurface(const Isosurface& surface);
+  bool HasIsosurface(int index);
+  void CopyLightingTransferFunction(vtkOpticsVolumeProperty* source);
 
   int ReflectanceModel = VTK;
   double Glossiness[NumberOfReflectanceModels] = { 0.0, 0.0, 30.0, 0.2, 30.0 };
@@ -146,6 +316,16 @@ private:
   bool SpecularFromExtinction = true;
   int FrameSource = Covariance;
   float PhaseAnisotropy = 0.0F;
+  int IntegrationSpace = Physical;
+  int Classification = Post;
+  double ScalarOpacityUnitInterval = 0.0;
+  std::vector<Isosurface> Isosurfaces;
+  int Silhouette = SilhouetteOff;
+  int TransmittedLight = TransmittedLightOff;
+  vtkSmartPointer<vtkLightingTransferFunction> LightingTransferFunction;
+  double GradientStepLength = 1.0;
+  double LightScale = 1.0;
+  bool HybridNormals = false;
 };
 
 #endif

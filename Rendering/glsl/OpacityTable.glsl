@@ -5,7 +5,6 @@
 
 uniform sampler1D in_opticsOpacityTable;
 uniform vec2 in_opticsOpacityTableCode; // scale and bias to the centres of the first and last texel
-uniform vec4 in_opticsOpacityChannel;   // selects the component that opacity depends on
 
 float opticsTableOpacity(float scalar)
 {

@@ -5,6 +5,7 @@
 
 uniform mat3 in_opticsTangentToEye; // data to eye, for directions
 uniform mat3 in_opticsNormalToEye;  // its inverse transposed, for normals
+uniform vec4 in_opticsOpacityChannel; // selects the component that opacity depends on
 
 vec3 g_opticsToViewer;   // eye space, unit, constant along the ray
 mat4 g_opticsTexToEye;   // VTK's texture coordinates of this block to eye space

@@ -1,16 +1,9 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeLighting::Dec, after ExtinctionGradient*.
+// Place ComputeLighting::Dec. A surface has a normal.
 
-uniform float in_opticsTwoSided;               // 0 or 1
-uniform float in_opticsSpecularFromExtinction; // 0 or 1
-uniform float in_opticsGlossiness;
-
-float opticsCoefficient(OpticsGradient gradient)
-{
-  return mix(1.0, gradient.coefficient, in_opticsSpecularFromExtinction);
-}
+uniform float in_opticsTwoSided; // 0 or 1
 
 vec3 opticsNormalInEye(vec3 normal)
 {

@@ -13,6 +13,7 @@
 #include "FrameField.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkLightingTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkSmartPointer.h"
 
@@ -90,6 +91,12 @@ struct Scene
   double scatteringAnisotropy = 0.0;
   bool specularFromExtinction = true;
   GradientEstimate gradientEstimate = GradientEstimate::StoredNormal;
+
+  vtkSmartPointer<vtkLightingTransferFunction> lighting; // with the model VTK alone
+  double gradientStepLength = 1.0;                       // in units of the smallest spacing
+  double lightScale = 1.0;
+  bool hybridNormals = false;
+  double densityFade = 1.0; // difference of opacities over which light changes sides
 
   double step = 1.0;
   // Where the first sample lies, in steps behind the entry: 1 as VTK, 0.5 for the midpoint rule.

@@ -3,6 +3,7 @@
 
 #include "Shading.h"
 
+#include "LightingTransfer.h"
 #include "Optics.h"
 
 #include <algorithm>
@@ -12,38 +13,6 @@ namespace reference
 {
 namespace
 {
-// Direction to a light and its attenuation at a point.
-struct Illumination
-{
-  Vector toLight;
-  double factor = 1.0;
-};
-
-Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point)
-{
-  if (!light.positional)
-  {
-    return { light.toLight, 1.0 };
-  }
-  const Vector offset = light.position - point;
-  const double length = glm::length(offset);
-  if (length == 0.0)
-  {
-    return { light.toLight, 0.0 };
-  }
-  Illumination result;
-  result.toLight = offset / length;
-  const double distance = length * scene.worldScale;
-  result.factor = 1.0 / glm::dot(light.attenuation, Vector(1.0, distance, distance * distance));
-  if (light.coneAngle <= 90.0)
-  {
-    const double cosine = glm::dot(-result.toLight, light.coneAxis);
-    const bool isInside = cosine >= std::cos(glm::radians(light.coneAngle));
-    result.factor *= isInside ? std::pow(std::max(cosine, 0.0), light.exponent) : 0.0;
-  }
-  return result;
-}
-
 double DepthOf(const Scene& scene, double scalar)
 {
   return optics::BoundedOpticalDepth(scene.Opacity(scalar));
@@ -165,6 +134,32 @@ ExtinctionGradient FromCentralDifferences(const Scene& scene, const Sample& samp
 }
 
 //------------------------------------------------------------------------------
+Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point)
+{
+  if (!light.positional)
+  {
+    return { light.toLight, 1.0 };
+  }
+  const Vector offset = light.position - point;
+  const double length = glm::length(offset);
+  if (length == 0.0)
+  {
+    return { light.toLight, 0.0 };
+  }
+  Illumination result;
+  result.toLight = offset / length;
+  const double distance = length * scene.worldScale;
+  result.factor = 1.0 / glm::dot(light.attenuation, Vector(1.0, distance, distance * distance));
+  if (light.coneAngle <= 90.0)
+  {
+    const double cosine = glm::dot(-result.toLight, light.coneAxis);
+    const bool isInside = cosine >= std::cos(glm::radians(light.coneAngle));
+    result.factor *= isInside ? std::pow(std::max(cosine, 0.0), light.exponent) : 0.0;
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample)
 {
   ExtinctionGradient result = scene.gradientEstimate == GradientEstimate::StoredNormal
@@ -184,6 +179,10 @@ Vector Radiance(const Scene& scene, const Sample& sample)
   if (!scene.shade)
   {
     return color;
+  }
+  if (scene.lighting)
+  {
+    return LightingTransferRadiance(scene, sample);
   }
   if (scene.reflectance == Reflectance::VTK)
   {

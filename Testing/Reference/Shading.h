@@ -18,6 +18,14 @@ struct Sample
   double scalar = 0.0;
 };
 
+// Direction to a light and its attenuation at a point.
+struct Illumination
+{
+  Vector toLight;
+  double factor = 1.0;
+};
+Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point);
+
 // The gradient of the classified extinction: direction -grad(sigma)/|grad(sigma)| (unit, or 0) and the
 // scale-free specular coefficient K. tangentNormal and anisotropy are the unclassified scalar's.
 struct ExtinctionGradient
