@@ -54,8 +54,8 @@ Color Mixed(const Color& a, const Color& b, double share)
 // marked: share of the density that is marked.
 Color Tone(double intensity, double marked)
 {
-  const Color plain =
-    intensity < 0.5 ? Mixed(Background, Middle, 2.0 * intensity) : Mixed(Middle, Brightest, 2.0 * intensity - 1.0);
+  const Color plain = intensity < 0.5 ? Mixed(Background, Middle, 2.0 * intensity)
+                                      : Mixed(Middle, Brightest, 2.0 * intensity - 1.0);
   const Color mark = Mixed(Background, EqualOpacity, std::sqrt(intensity));
   return Mixed(plain, mark, marked);
 }
@@ -103,7 +103,8 @@ std::vector<Line> Lines(vtkImageData* histogram, const HistogramPictureSettings&
         const bool isSlanted = std::abs(column - row) > TrivialWidth * columns;
         const bool isEqual = settings.Opacity && isSlanted &&
           std::abs(opacities[column] - opacities[row]) <= settings.OpacityTolerance;
-        lines.push_back({ (column + 0.5) / columns, (row + 0.5) / rows, sums[column + columns * row], isEqual });
+        lines.push_back(
+          { (column + 0.5) / columns, (row + 0.5) / rows, sums[column + columns * row], isEqual });
       }
     }
   }
@@ -132,7 +133,8 @@ Densities Rasterize(const std::vector<Line>& lines, int width, int height)
         const int pixel = std::min(static_cast<int>(x), width - 1);
         const int next = std::min(pixel + 1, width - 1);
         const double share = std::min(x - pixel, 1.0);
-        std::vector<double>* const targets[] = { &densities.All, line.LinksEqual ? &densities.Marked : nullptr };
+        std::vector<double>* const targets[] = { &densities.All,
+          line.LinksEqual ? &densities.Marked : nullptr };
         for (std::vector<double>* target : targets)
         {
           if (target)

@@ -84,7 +84,8 @@ LightingEditor::Target LightingEditor::FindOnAxes(const vtkVector2f& pixel) cons
     const int side = onS1 ? this->SideOnS1(boundary) : 1 - this->SideOnS1(boundary);
     double range[2];
     this->Function->GetRange(boundary, side, range);
-    const float low = this->Layout.PixelOf(std::clamp(range[0], this->Layout.Range[0], this->Layout.Range[1]));
+    const float low =
+      this->Layout.PixelOf(std::clamp(range[0], this->Layout.Range[0], this->Layout.Range[1]));
     const float high =
       this->Layout.PixelOf(std::clamp(range[1], this->Layout.Range[0], this->Layout.Range[1]));
     if (along < low - EndReach || along > high + EndReach)
@@ -277,7 +278,8 @@ void LightingEditor::ChangeSoftness(double steps)
   if (this->IsSelected())
   {
     this->History.Record(this->Function);
-    const double softness = this->Function->GetSoftness(this->Selected) + steps * FineStep * this->RangeWidth();
+    const double softness =
+      this->Function->GetSoftness(this->Selected) + steps * FineStep * this->RangeWidth();
     this->Function->SetSoftness(this->Selected, std::clamp(softness, 0.0, this->RangeWidth()));
   }
 }

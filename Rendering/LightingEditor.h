@@ -23,10 +23,10 @@ public:
   enum PartType
   {
     Nothing,
-    Plot,    // no boundary
-    Band,    // between a boundary's boxes: moves both
-    Box,     // moves
-    LowEnd,  // resizes
+    Plot,   // no boundary
+    Band,   // between a boundary's boxes: moves both
+    Box,    // moves
+    LowEnd, // resizes
     HighEnd
   };
   struct Target

@@ -121,8 +121,7 @@ void LightingEditorPainter::DrawBand(int boundary) const
 void LightingEditorPainter::DrawBox(int boundary, int axis) const
 {
   const LightingEditorLayout& layout = this->Editor.Layout;
-  const int side =
-    axis == AxisOfS1 ? this->Editor.SideOnS1(boundary) : 1 - this->Editor.SideOnS1(boundary);
+  const int side = axis == AxisOfS1 ? this->Editor.SideOnS1(boundary) : 1 - this->Editor.SideOnS1(boundary);
   double range[2];
   this->Editor.GetFunction()->GetRange(boundary, side, range);
   const bool isCurve = this->Editor.GetFunction()->GetCurve(boundary, side) != nullptr;

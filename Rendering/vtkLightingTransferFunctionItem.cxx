@@ -27,8 +27,8 @@ namespace
 // Pixels.
 const float Margin = 6.0F;
 const float TitleHeight = 16.0F;
-const float TickSpace = 18.0F; // for numbers under a horizontal axis
-const float TickWidth = 36.0F; // beside a vertical one
+const float TickSpace = 18.0F;  // for numbers under a horizontal axis
+const float TickWidth = 36.0F;  // beside a vertical one
 const float HalfNumber = 14.0F; // of a number at the end of an axis
 const float LeastPlot = 8.0F;
 const float HistogramShare = 0.36F; // of the width
@@ -344,8 +344,8 @@ bool vtkLightingTransferFunctionItem::Paint(vtkContext2D* context)
   painter.DrawTrace();
   painter.DrawStatus(lines.GetX() + Margin, lines.GetY() + 0.5F * TitleHeight);
   const float title = lines.GetY() + lines.GetHeight() - 0.5F * TitleHeight;
-  painter.DrawText(this->VerticalAxes ? "S2 downhill (left), S1 uphill (right)"
-                                      : "S2 downhill (above), S1 uphill (below)",
+  painter.DrawText(
+    this->VerticalAxes ? "S2 downhill (left), S1 uphill (right)" : "S2 downhill (above), S1 uphill (below)",
     lines.GetX() + 0.5F * lines.GetWidth(), title);
   if (this->ShowHistograms)
   {
@@ -462,8 +462,8 @@ bool vtkLightingTransferFunctionItem::KeyPressEvent(const vtkContextKeyEvent& ke
   }
   else
   {
-    isKnown = this->Internal->Editor.Key(
-      name, interactor->GetControlKey() != 0, interactor->GetShiftKey() != 0);
+    isKnown =
+      this->Internal->Editor.Key(name, interactor->GetControlKey() != 0, interactor->GetShiftKey() != 0);
   }
   if (wasDragging && !this->Internal->Editor.IsDragging())
   {

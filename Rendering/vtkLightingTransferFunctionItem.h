@@ -34,7 +34,7 @@
 #define vtkLightingTransferFunctionItem_h
 
 #include "vtkContextItem.h"
-#include "vtkVolumeOpticsModule.h"   // for export macro
+#include "vtkVolumeOpticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
 

@@ -49,7 +49,7 @@ struct LightingEditorScene
     testing::Geometry geometry;
     geometry.Extent = { 0, 47, 0, 47, 0, 47 };
     this->Histogram->SetInputData(testing::MakeImage(geometry, ThreeMaterials));
-    this->Histogram->SetStepLength(2.0); // beyond the blur: lines go from material to material
+    this->Histogram->SetStepLength(2.0);         // beyond the blur: lines go from material to material
     this->Histogram->SetScalarRange(0.0, 256.0); // a bin per unit
     this->Histogram->Update();
     this->Item->SetLightingTransferFunction(this->Function);
@@ -93,7 +93,8 @@ struct LightingEditorScene
     const double middle = 0.5 * (from + to);
     this->Play(this->At("MouseMoveEvent", fromAxis, from, outward) +
       this->At("LeftButtonPressEvent", fromAxis, from, outward) +
-      this->At("MouseMoveEvent", fromAxis, middle, outward) + this->At("MouseMoveEvent", toAxis, to, outward) +
+      this->At("MouseMoveEvent", fromAxis, middle, outward) +
+      this->At("MouseMoveEvent", toAxis, to, outward) +
       this->At("LeftButtonReleaseEvent", toAxis, to, outward));
   }
 

@@ -191,7 +191,8 @@ void CheckUndo(Check& check)
   scene.Play(scene.At("MouseMoveEvent", 1, 64.0) + scene.At("LeftButtonPressEvent", 1, 64.0) +
     scene.At("LeftButtonReleaseEvent", 1, 64.0));
   scene.Key("z");
-  check.That(scene.Function->WriteJsonString() != before, "a click is no edit: undo takes back the one before");
+  check.That(
+    scene.Function->WriteJsonString() != before, "a click is no edit: undo takes back the one before");
 }
 
 void CheckEvents(Check& check)
@@ -233,8 +234,8 @@ void CheckExtremes(Check& check)
   curve->AddPoint(60.0, 1.0);
   scene.Function->AddBoundary(curve, curve, 0.2, 0.2, 0.2);
   scene.Drag(1, 40.0, 1, 80.0);
-  check.That(curve->GetRange()[0] == 20.0 && scene.Item->GetSelectedBoundary() == 0,
-    "a curve is selected, not moved");
+  check.That(
+    curve->GetRange()[0] == 20.0 && scene.Item->GetSelectedBoundary() == 0, "a curve is selected, not moved");
   AddBoundary(scene, 1e6, 2e6, -1e300, -1e299); // outside of the axes
   scene.View->GetRenderWindow()->Render();
   scene.Item->SetLightingTransferFunction(nullptr);
