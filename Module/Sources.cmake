@@ -7,6 +7,7 @@ set(filter_classes
   vtkAmbientCovarianceFilter
   vtkAnalyticVolumeSource
   vtkAnisotropyFilter
+  vtkGradientAlignedHistogram
   vtkOpticsImageFilter
   vtkPrincipalCurvatureFilter
   vtkSobelNormalFilter
@@ -14,6 +15,8 @@ set(filter_classes
 set(rendering_classes
   vtkHeadlessRenderWindow
   vtkLightingTransferFunction
+  vtkLightingTransferFunctionItem
+  vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty
@@ -27,6 +30,7 @@ set(filter_sources
   CovarianceKernel
   CovarianceSampler
   GaussianFilter
+  GradientAlignedSampler
   ImageGrid
   LiteralSampling
   PrincipalCurvature
@@ -36,6 +40,7 @@ set(filter_sources
   SobelStencil)
 set(rendering_sources
   AttenuatedStretch
+  BoundarySearch
   DefaultOptics
   FrameProvider
   FrameTerm
@@ -45,13 +50,18 @@ set(rendering_sources
   HeadlessContextOSMesa
   IntegrationTerm
   IsosurfaceTexture
+  HistogramPicture
   JsonDocument
   LightUniforms
   LightingBoundary
+  LightingEditor
+  LightingEditorPainter
   LightingJson
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  MultiSampleRules
+  MultiSampleTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene
@@ -60,6 +70,7 @@ set(rendering_sources
   PreIntegration
   RayUniforms
   ReflectanceTerm
+  ScalarPair
   SceneNeeds
   TransferFunctionStretches
   TransferFunctionTerm

@@ -5,42 +5,16 @@
 
 #include "FrameTerm.h"
 #include "RayUniforms.h"
+#include "ScalarPair.h"
 #include "SceneNeeds.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
-#include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
-#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
-
-namespace
-{
-using Property = vtkOpticsVolumeProperty;
-
-bool FetchesPair(const OpticsScene& scene)
-{
-  return scene.Mapper->GetLightingSamples() == vtkOpticsVolumeMapper::Fetched;
-}
-
-// A step along a unit vector of data space, to voxels. A matrix set by rows is transposed for OpenGL.
-void SetStepToVoxels(const OpticsScene& scene, vtkShaderProgram* program)
-{
-  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
-  const double step = scene.Optics->GetGradientStepLength() * SmallestSpacing(scene);
-  vtkNew<vtkMatrix3x3> transposed;
-  for (int i = 0; i < 9; ++i)
-  {
-    const double voxels = step / image->GetSpacing()[i % 3];
-    transposed->SetElement(i / 3, i % 3, image->GetDirectionMatrix()->GetElement(i / 3, i % 3) * voxels);
-  }
-  program->SetUniformMatrix("in_opticsStepToVoxels", transposed);
-}
-}
 
 //------------------------------------------------------------------------------
 bool LightingTransferFunctionTerm::IsActive(const OpticsScene& scene)
@@ -65,19 +39,11 @@ bool LightingTransferFunctionTerm::Prepare(const OpticsScene& scene)
 void LightingTransferFunctionTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
   features.Add(OpticsFeature::CoefficientsOfTable);
-  if (FetchesPair(scene))
-  {
-    features.Add(OpticsFeature::ScalarLookup);
-    features.Add(OpticsFeature::ScalarPairFetched);
-  }
-  else
-  {
-    features.Add(OpticsFeature::ScalarPairExtrapolated);
-  }
+  AddScalarPairFeatures(scene, features);
   if (HasHybridNormals(scene))
   {
     features.Add(OpticsFeature::HybridNormals);
-    if (scene.Optics->GetReflectanceModel() == Property::VTK)
+    if (scene.Optics->GetReflectanceModel() == vtkOpticsVolumeProperty::VTK)
     {
       features.Add(OpticsFeature::HybridDiffuse);
     }
@@ -97,12 +63,5 @@ void LightingTransferFunctionTerm::SetUniforms(const OpticsScene& scene, vtkShad
   this->Table.Update(request, scene.Window);
   this->Table.SetUniforms(program);
   program->SetUniformf("in_opticsLightScale", static_cast<float>(scene.Optics->GetLightScale()));
-  if (FetchesPair(scene))
-  {
-    SetStepToVoxels(scene, program);
-  }
-  else
-  {
-    program->SetUniformf("in_opticsPairStep", static_cast<float>(scene.Optics->GetGradientStepLength()));
-  }
+  SetScalarPairUniforms(scene, program);
 }

@@ -9,6 +9,7 @@
 #include "AnisotropyFrame.h"
 #include "AnisotropyMap.h"
 #include "AnisotropyWorld.h"
+#include "ClassifiedSample.h"
 #include "CoefficientsDec.h"
 #include "CoefficientsOfProperty.h"
 #include "CoefficientsOfTable.h"
@@ -39,6 +40,7 @@
 #include "LightsPositional.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
+#include "MultiSampleRule.h"
 #include "NoColorTable.h"
 #include "NoNormalForCentral.h"
 #include "NormalForCentral.h"
@@ -76,6 +78,7 @@
 #include "SilhouetteExact.h"
 #include "SilhouetteGeometry.h"
 #include "SilhouetteOff.h"
+#include "SoftRange.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
@@ -170,6 +173,9 @@ const Row Table[] = {
   { F::HybridNormals, &ComputeLightingDec, HybridNormal },
   { F::HybridNormals, &ComputeLightingDec, HybridDec },
   { F::Reflectance, &ComputeLightingDec, Lighting },
+  { F::MultiSample, &ComputeLightingDec, SoftRange },
+  { F::MultiSample, &ComputeLightingDec, MultiSampleRule },
+  { F::MultiSample, &ComputeLightingDec, ClassifiedSample },
 
   { F::ScalarGradientStored, &GradientPlace, ScalarGradientOfSample },
   { F::ScalarGradientCentral, &GradientPlace, ScalarGradientOfSample },
@@ -212,6 +218,27 @@ const Statement LightingCalls[] = {
   { "return computeLighting(", "g_opticsScalar = scalar;\n  return computeLighting(" },
   { "g_srcColor = computeLighting(", "g_opticsScalar = scalar;\n      g_srcColor = computeLighting(" },
 };
+
+// Where VTK classifies a sample by its scalar alone; after the calls above.
+const Statement ClassificationCalls[] = {
+  { "g_srcColor.a = computeOpacity(scalar);",
+    "g_srcColor.a = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
+  { "float opacity = computeOpacity(scalar);",
+    "float opacity = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
+  { "return clamp(computeLighting(", "return clamp(opticsLightClassified(" },
+  { "return opticsUnclamped(computeLighting(", "return opticsUnclamped(opticsLightClassified(" },
+};
+
+template <std::size_t Count>
+bool ReplaceAny(std::string& fragment, const Statement (&statements)[Count])
+{
+  bool found = false;
+  for (const Statement& statement : statements)
+  {
+    found |= vtkShaderProgram::Substitute(fragment, statement.Text, statement.Replacement, true);
+  }
+  return found;
+}
 
 std::string TextFor(const Place& place, const OpticsFeatures& features)
 {
@@ -283,14 +310,6 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 //------------------------------------------------------------------------------
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
-  if (!features.Has(OpticsFeature::Reflectance))
-  {
-    return true;
-  }
-  bool found = false;
-  for (const Statement& call : LightingCalls)
-  {
-    found |= vtkShaderProgram::Substitute(fragment, call.Text, call.Replacement, true);
-  }
-  return found;
+  const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
+  return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
 }

@@ -28,6 +28,7 @@ enum class OpticsFeature
   CoefficientsOfTable,
   ScalarPairFetched,
   ScalarPairExtrapolated,
+  MultiSample,
   HybridNormals,
   HybridDiffuse,     // with a model whose diffuse part has a side
   Scattering,        // a model whose diffuse part is a phase function

@@ -114,6 +114,39 @@ bool HasHybridNormals(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
+bool WantsClassification(const OpticsScene& scene)
+{
+  return scene.Optics->GetMultiSampleClassification() != nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupportedByClassification(const OpticsScene& scene)
+{
+  const std::string reason = FindUnsupported(scene);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  if (Is2D(scene))
+  {
+    return "2D transfer functions";
+  }
+  if (WantsIntegral(scene))
+  {
+    return "IntegrationSpace Data or Classification PreIntegrated";
+  }
+  return HasExtinctionSurface(scene)
+    ? "reflectance models whose normals are of the opacity function's extinction (take VTK or None)"
+    : "";
+}
+
+//------------------------------------------------------------------------------
+bool ReplacesClassification(const OpticsScene& scene)
+{
+  return WantsClassification(scene) && FindUnsupportedByClassification(scene).empty();
+}
+
+//------------------------------------------------------------------------------
 bool IsPreIntegrated(const OpticsScene& scene)
 {
   return scene.Optics->GetClassification() == Property::PreIntegrated;
@@ -188,7 +221,7 @@ bool NeedsScalarGradient(const OpticsScene& scene)
 {
   const bool forLight = ReplacesLighting(scene) &&
     (scene.Optics->GetReflectanceModel() == Property::VTK || HasLightingTable(scene));
-  return forLight || HasSilhouettes(scene);
+  return forLight || HasSilhouettes(scene) || ReplacesClassification(scene);
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,12 @@ bool ReplacesLighting(const OpticsScene& scene);
 bool HasLightingTable(const OpticsScene& scene);
 bool HasHybridNormals(const OpticsScene& scene);
 
+/** Whether the scene asks for colour and opacity by several samples, why they can't be had (empty where they
+ * can), and whether it gets them. */
+bool WantsClassification(const OpticsScene& scene);
+std::string FindUnsupportedByClassification(const OpticsScene& scene);
+bool ReplacesClassification(const OpticsScene& scene);
+
 bool IsPreIntegrated(const OpticsScene& scene);
 bool HasIsosurfaces(const OpticsScene& scene);
 bool HasSilhouettes(const OpticsScene& scene);

@@ -3,6 +3,7 @@
 
 #include "vtkLightingTransferFunction.h"
 
+#include "BoundarySearch.h"
 #include "LightingJson.h"
 #include "LightingTable.h"
 #include "ParameterRange.h"
@@ -21,6 +22,7 @@ vtkStandardNewMacro(vtkLightingTransferFunction);
 
 namespace
 {
+const volumeoptics::LightingCoefficients GuessedCoefficients = { 0.2, 0.7, 0.4 };
 const char* const CoefficientNames[] = { "Ambient", "Diffuse", "Specular" };
 
 bool IsFinite(const double range[2])
@@ -240,6 +242,26 @@ void vtkLightingTransferFunction::ShallowCopy(vtkLightingTransferFunction* sourc
     this->Internal->Function = source->Internal->Function;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkLightingTransferFunction::InitializeFromHistogram(vtkImageData* histogram, int number)
+{
+  if (!histogram || !histogram->GetPointData()->GetScalars() ||
+    histogram->GetDimensions()[0] != histogram->GetDimensions()[1])
+  {
+    vtkErrorMacro("There is no square histogram to find boundaries in; nothing is changed. Give the updated "
+                  "output of vtkGradientAlignedHistogram.");
+    return 0;
+  }
+  auto& boundaries = this->Internal->Function.Boundaries;
+  boundaries = volumeoptics::FindBoundaries(histogram, number);
+  for (LightingBoundary& boundary : boundaries)
+  {
+    boundary.Coefficients = GuessedCoefficients;
+  }
+  this->Modified();
+  return this->GetNumberOfBoundaries();
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
 #include "LightingTransferFunctionTerm.h"
+#include "MultiSampleTerm.h"
 #include "OpticsFactory.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
@@ -55,8 +56,9 @@ public:
   ReflectanceTerm Reflectance{ this->Frames };
   IntegrationTerm Integration{ this->Frames };
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
+  MultiSampleTerm MultiSample{ this->Frames };
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->Integration };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;

@@ -186,7 +186,8 @@ public:
 
   ///@{
   /**
-   * Where a lighting transfer function takes the scalars on both sides of a sample from: two fetches of
+   * Where a lighting transfer function and a classification by several samples take the scalars on both
+   * sides of a sample from: two fetches of
    * the volume along the gradient (Fetched); or as if the scalar were linear there, from the gradient's
    * magnitude, by no fetch of its own (Extrapolated). Default Fetched.
    */

@@ -31,6 +31,7 @@ using namespace glm;
 #include "AnisotropyFrame.glsl"
 #include "Reflectance.glsl"
 #include "SoftRange.glsl"
+#include "MultiSampleRule.glsl"
 #include "HybridNormal.glsl"
 #undef float
 }

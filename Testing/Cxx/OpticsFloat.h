@@ -32,6 +32,7 @@ using namespace glm;
 #include "OpticsFloat/AnisotropyFrame.glsl"
 #include "OpticsFloat/Reflectance.glsl"
 #include "OpticsFloat/SoftRange.glsl"
+#include "OpticsFloat/MultiSampleRule.glsl"
 #include "OpticsFloat/HybridNormal.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }

@@ -81,8 +81,7 @@ Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const 
     }
   }
   const double fade = std::abs(coefficients.side);
-  const Vector radiance =
-    color * (coefficients.ambient + coefficients.diffuse * fade * diffuse) +
+  const Vector radiance = color * (coefficients.ambient + coefficients.diffuse * fade * diffuse) +
     coefficients.specular * fade * specular;
   return glm::min(radiance, LargestRadiance);
 }
