@@ -19,7 +19,8 @@ set(rendering_classes
   vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
-  vtkOpticsVolumeProperty)
+  vtkOpticsVolumeProperty
+  vtkPreIntegratedTable)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -38,13 +39,17 @@ set(filter_sources
   ScalarSource
   SobelStencil)
 set(rendering_sources
+  AttenuatedStretch
   BoundarySearch
   DefaultOptics
   FrameProvider
+  FrameTerm
   FrameTextures
   HeadlessContext
   HeadlessContextEGL
   HeadlessContextOSMesa
+  IntegrationTerm
+  IsosurfaceTexture
   HistogramPicture
   JsonDocument
   LightUniforms
@@ -56,12 +61,20 @@ set(rendering_sources
   LightingTableTexture
   LightingTransferFunctionTerm
   MultiSampleRules
+  MultiSampleTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
+  PreIntegratedTexture
+  PreIntegration
+  RayUniforms
   ReflectanceTerm
-  ScalarOpacityTexture
+  ScalarPair
+  SceneNeeds
+  TransferFunctionStretches
+  TransferFunctionTerm
+  TransferFunctionTexture
   vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)

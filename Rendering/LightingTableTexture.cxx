@@ -80,11 +80,7 @@ void LightingTableTexture::Upload(const Request& request, vtkOpenGLRenderWindow*
   const auto create = [&](auto codes, int type) {
     this->Texture->Create2DFromRaw(request.Size, request.Size, 4, type, codes.data());
   };
-  if (request.Bits == 8)
-  {
-    create(Encode<std::uint8_t>(rgba), VTK_UNSIGNED_CHAR);
-  }
-  else if (request.Bits == 16)
+  if (request.Bits == 16)
   {
     create(Encode<std::uint16_t>(rgba), VTK_UNSIGNED_SHORT);
   }
@@ -101,8 +97,8 @@ void LightingTableTexture::Upload(const Request& request, vtkOpenGLRenderWindow*
 //------------------------------------------------------------------------------
 void LightingTableTexture::SetUniforms(vtkShaderProgram* program)
 {
-  program->SetUniform2f("in_opticsLightingTableCode",
-    volumeoptics::SignedTextureCode(this->Uploaded.Bits).ScaleAndBias);
+  program->SetUniform2f(
+    "in_opticsLightingTableCode", volumeoptics::SignedTextureCode(this->Uploaded.Bits).ScaleAndBias);
   program->SetUniformf("in_opticsDensityFade", std::max(FadeShare * this->LargestDifference, 1.0e-6F));
   this->Texture->Activate();
   program->SetUniformi("in_opticsLightingTable", this->Texture->GetTextureUnit());
@@ -130,7 +126,6 @@ void LightingTableTexture::Release(vtkWindow* window)
 //------------------------------------------------------------------------------
 std::size_t LightingTableTexture::GetMemorySize() const
 {
-  return this->Texture
-    ? std::size_t(4) * this->Uploaded.Size * this->Uploaded.Size * this->Uploaded.Bits / 8
-    : 0;
+  return this->Texture ? std::size_t(4) * this->Uploaded.Size * this->Uploaded.Size * this->Uploaded.Bits / 8
+                       : 0;
 }

@@ -28,7 +28,7 @@ public:
     vtkPiecewiseFunction* Density; // may be null: no difference
     double Range[2];               // the scalars that the coordinates 0 and 1 stand for
     int Size;
-    int Bits; // per number: 8, 16 or 32
+    int Bits; // per number: 16 or 32
   };
 
   /** Uploads what has changed. */

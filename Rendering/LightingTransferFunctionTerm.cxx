@@ -3,59 +3,23 @@
 
 #include "LightingTransferFunctionTerm.h"
 
-#include "ReflectanceTerm.h"
+#include "FrameTerm.h"
+#include "RayUniforms.h"
+#include "ScalarPair.h"
+#include "SceneNeeds.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
-#include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
-#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
 
-namespace
-{
-using Property = vtkOpticsVolumeProperty;
-
-bool Is2D(const OpticsScene& scene)
-{
-  return scene.Volume->GetProperty()->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
-}
-
-bool FetchesPair(const OpticsScene& scene)
-{
-  return scene.Mapper->GetLightingSamples() == vtkOpticsVolumeMapper::Fetched;
-}
-
-// A step along a unit vector of data space, to voxels. A matrix set by rows is transposed for OpenGL.
-void SetStepToVoxels(const OpticsScene& scene, vtkShaderProgram* program)
-{
-  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
-  const double step = scene.Optics->GetGradientStepLength() * SmallestSpacing(scene);
-  vtkNew<vtkMatrix3x3> transposed;
-  for (int i = 0; i < 9; ++i)
-  {
-    const double voxels = step / image->GetSpacing()[i % 3];
-    transposed->SetElement(i / 3, i % 3, image->GetDirectionMatrix()->GetElement(i / 3, i % 3) * voxels);
-  }
-  program->SetUniformMatrix("in_opticsStepToVoxels", transposed);
-}
-}
-
-//------------------------------------------------------------------------------
-bool LightingTransferFunctionTerm::HasHybridNormals(const OpticsScene& scene)
-{
-  return scene.Optics->GetLightingTransferFunction() && scene.Optics->GetHybridNormals() && !Is2D(scene) &&
-    scene.Optics->GetReflectanceModel() != Property::None;
-}
-
 //------------------------------------------------------------------------------
 bool LightingTransferFunctionTerm::IsActive(const OpticsScene& scene)
 {
-  const bool isActive = scene.Optics->GetLightingTransferFunction() && this->Light.LightsScene();
+  const bool isActive = HasLightingTable(scene);
   if (isActive && scene.Optics->GetHybridNormals() && Is2D(scene))
   {
     scene.Mapper->Say("HybridNormals need a scalar opacity function, which a 2D transfer function is "
@@ -66,28 +30,20 @@ bool LightingTransferFunctionTerm::IsActive(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
-bool LightingTransferFunctionTerm::Prepare(const OpticsScene&)
+bool LightingTransferFunctionTerm::Prepare(const OpticsScene& scene)
 {
-  return true;
+  return this->Frames.Serves(scene);
 }
 
 //------------------------------------------------------------------------------
 void LightingTransferFunctionTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
   features.Add(OpticsFeature::CoefficientsOfTable);
-  if (FetchesPair(scene))
-  {
-    features.Add(OpticsFeature::ScalarLookup);
-    features.Add(OpticsFeature::ScalarPairFetched);
-  }
-  else
-  {
-    features.Add(OpticsFeature::ScalarPairExtrapolated);
-  }
+  AddScalarPairFeatures(scene, features);
   if (HasHybridNormals(scene))
   {
     features.Add(OpticsFeature::HybridNormals);
-    if (scene.Optics->GetReflectanceModel() == Property::VTK)
+    if (scene.Optics->GetReflectanceModel() == vtkOpticsVolumeProperty::VTK)
     {
       features.Add(OpticsFeature::HybridDiffuse);
     }
@@ -100,21 +56,12 @@ void LightingTransferFunctionTerm::SetUniforms(const OpticsScene& scene, vtkShad
 {
   LightingTableTexture::Request request;
   request.Function = scene.Optics->GetLightingTransferFunction();
-  request.Density =
-    HasHybridNormals(scene) ? scene.Volume->GetProperty()->GetScalarOpacity() : nullptr;
-  scene.Mapper->GetLoadedScalarRange(scene.OpacityComponent, request.Range);
-  request.Range[1] = request.Range[1] > request.Range[0] ? request.Range[1] : request.Range[0] + 1.0;
+  request.Density = HasHybridNormals(scene) ? scene.Volume->GetProperty()->GetScalarOpacity() : nullptr;
+  CoordinateRange(scene, request.Range);
   request.Size = scene.Mapper->GetLightingTableSize();
   request.Bits = scene.Mapper->GetTablePrecision();
   this->Table.Update(request, scene.Window);
   this->Table.SetUniforms(program);
   program->SetUniformf("in_opticsLightScale", static_cast<float>(scene.Optics->GetLightScale()));
-  if (FetchesPair(scene))
-  {
-    SetStepToVoxels(scene, program);
-  }
-  else
-  {
-    program->SetUniformf("in_opticsPairStep", static_cast<float>(scene.Optics->GetGradientStepLength()));
-  }
+  SetScalarPairUniforms(scene, program);
 }

@@ -10,14 +10,13 @@
 #include "LightingTableTexture.h"
 #include "OpticsTerm.h"
 
-class ReflectanceTerm;
+class FrameTerm;
 
 class LightingTransferFunctionTerm : public OpticsTerm
 {
 public:
-  /** light: the term that evaluates it, prepared before this one in each frame. */
-  explicit LightingTransferFunctionTerm(const ReflectanceTerm& light)
-    : Light(light)
+  explicit LightingTransferFunctionTerm(const FrameTerm& frames)
+    : Frames(frames)
   {
   }
 
@@ -30,11 +29,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override { this->Table.Release(window); }
   std::size_t GetMemorySize() const override { return this->Table.GetMemorySize(); }
 
-  /** Whether the scene's normals take their side from the classified density. */
-  static bool HasHybridNormals(const OpticsScene& scene);
-
 private:
-  const ReflectanceTerm& Light;
+  const FrameTerm& Frames;
   LightingTableTexture Table;
 };
 

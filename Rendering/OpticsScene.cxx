@@ -8,13 +8,9 @@
 #include "vtkOpticsVolumeProperty.h"
 
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -50,11 +46,4 @@ OpticsScene MakeOpticsScene(vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer
   scene.CellScalars = cellFlag == 1;
   scene.OpacityComponent = scene.Scalars ? OpacityComponent(scene.Scalars, volume->GetProperty()) : 0;
   return scene;
-}
-
-//------------------------------------------------------------------------------
-double SmallestSpacing(const OpticsScene& scene)
-{
-  const double* spacing = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetSpacing();
-  return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }

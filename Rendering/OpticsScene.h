@@ -30,7 +30,4 @@ struct OpticsScene
  */
 OpticsScene MakeOpticsScene(vtkOpticsVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/** Of the image that is drawn: the step h that gradients are measured over. */
-double SmallestSpacing(const OpticsScene& scene);
-
 #endif

@@ -9,9 +9,15 @@
 #include "AnisotropyFrame.h"
 #include "AnisotropyMap.h"
 #include "AnisotropyWorld.h"
+#include "ClassifiedSample.h"
 #include "CoefficientsDec.h"
 #include "CoefficientsOfProperty.h"
 #include "CoefficientsOfTable.h"
+#include "ColorOfFirst.h"
+#include "ColorOfSample.h"
+#include "ColorOfSegment.h"
+#include "ColorTable.h"
+#include "DataSpace.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
@@ -22,11 +28,20 @@
 #include "HybridDiffuse.h"
 #include "HybridNormal.h"
 #include "HybridSurface.h"
+#include "IntegralDec.h"
+#include "IntegralImpl.h"
+#include "IntegralInit.h"
+#include "IntegralRay.h"
+#include "IntegralTerminate.h"
+#include "Isosurfaces.h"
+#include "IsosurfacesNone.h"
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
+#include "MultiSampleRule.h"
+#include "NoColorTable.h"
 #include "NoNormalForCentral.h"
 #include "NormalForCentral.h"
 #include "NormalLookup.h"
@@ -45,15 +60,31 @@
 #include "ReflectanceNone.h"
 #include "ReflectanceVTK.h"
 #include "ReflectanceWard.h"
+#include "SampleScalar.h"
 #include "ScalarGradientCentral.h"
+#include "ScalarGradientOfSample.h"
 #include "ScalarGradientStored.h"
 #include "ScalarLookup.h"
 #include "ScalarPairExtrapolated.h"
 #include "ScalarPairFetched.h"
 #include "ScatteringPhase.h"
+#include "SegmentInData.h"
+#include "SegmentInSpace.h"
+#include "SegmentOpacity.h"
+#include "SegmentPost.h"
+#include "SegmentPreIntegrated.h"
+#include "SegmentSmooth.h"
+#include "SilhouetteClamped.h"
+#include "SilhouetteExact.h"
+#include "SilhouetteGeometry.h"
+#include "SilhouetteOff.h"
+#include "SoftRange.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
+#include "SurfaceFlag.h"
+#include "SurfaceInData.h"
+#include "SurfaceOfExtinction.h"
 
 #include <vector>
 
@@ -69,8 +100,13 @@ struct Place
 
 const Place BaseDec = { "//VTK::Base::Dec", true };
 const Place BaseInit = { "//VTK::Base::Init", true };
-const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", false };
+const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", true };
+const Place ComputeRayDirectionDec = { "//VTK::ComputeRayDirection::Dec", true };
+const Place ShadingInit = { "//VTK::Shading::Init", true };
+const Place ShadingImpl = { "//VTK::Shading::Impl", false };
+const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
 // Places of our own, in Lighting.glsl.
+const Place GradientPlace = { "//Optics::Gradient", false };
 const Place SurfacePlace = { "//Optics::Surface", false };
 const Place LightPlace = { "//Optics::Light", false };
 const Place TransmissionPlace = { "//Optics::Transmission", false };
@@ -84,21 +120,23 @@ struct Row
 
 // The order of the rows is the order of the text at each place.
 const Row Table[] = {
-  { F::Reflectance, &BaseDec, RayDec },
+  { F::SampleScalar, &BaseDec, SampleScalar },
+  { F::IntegralInData, &BaseDec, SurfaceFlag },
+  { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
 
-  { F::Reflectance, &BaseInit, RayInit },
+  { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
-  { F::ExtinctionSurface, &ComputeLightingDec, Opacity },
+  { F::OpacityFormulas, &ComputeLightingDec, Opacity },
   { F::ExtinctionSurface, &ComputeLightingDec, Reflectance },
   { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
   { F::FrameLookup, &ComputeLightingDec, NormalLookup },
   { F::AnisotropyMap, &ComputeLightingDec, AnisotropyMap },
   { F::AnisotropyComponents, &ComputeLightingDec, AnisotropyComponents },
   { F::AnisotropyWorld, &ComputeLightingDec, AnisotropyWorld },
-  { F::ExtinctionSurface, &ComputeLightingDec, OpacityTable },
+  { F::OpacityTable, &ComputeLightingDec, OpacityTable },
   { F::OpacityAtScalar, &ComputeLightingDec, OpacityAtScalar },
   { F::OpacityAtScalarAndGradient, &ComputeLightingDec, OpacityAtScalarAndGradient },
   { F::OpacityAt2D, &ComputeLightingDec, OpacityAt2D },
@@ -113,6 +151,8 @@ const Row Table[] = {
   { F::ScalarPairFetched, &ComputeLightingDec, ScalarPairFetched },
   { F::ScalarPairExtrapolated, &ComputeLightingDec, ScalarPairExtrapolated },
   { F::Surface, &ComputeLightingDec, SurfaceDec },
+  { F::SurfaceOfExtinction, &ComputeLightingDec, SurfaceOfExtinction },
+  { F::SurfaceInData, &ComputeLightingDec, SurfaceInData },
   { F::ExtinctionSurface, &ComputeLightingDec, SurfaceCoefficient },
   { F::ReflectanceWard, &ComputeLightingDec, MajorParameterWard },
   { F::ReflectanceLafortune, &ComputeLightingDec, MajorParameterLafortune },
@@ -133,9 +173,38 @@ const Row Table[] = {
   { F::HybridNormals, &ComputeLightingDec, HybridNormal },
   { F::HybridNormals, &ComputeLightingDec, HybridDec },
   { F::Reflectance, &ComputeLightingDec, Lighting },
+  { F::MultiSample, &ComputeLightingDec, SoftRange },
+  { F::MultiSample, &ComputeLightingDec, MultiSampleRule },
+  { F::MultiSample, &ComputeLightingDec, ClassifiedSample },
 
+  { F::ScalarGradientStored, &GradientPlace, ScalarGradientOfSample },
+  { F::ScalarGradientCentral, &GradientPlace, ScalarGradientOfSample },
   { F::HybridNormals, &SurfacePlace, HybridSurface },
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
+
+  { F::Integral, &ComputeRayDirectionDec, DataSpace },
+  { F::Integral, &ComputeRayDirectionDec, IntegralDec },
+  { F::ColorTable, &ComputeRayDirectionDec, ColorTable },
+  { F::NoColorTable, &ComputeRayDirectionDec, NoColorTable },
+  { F::IntegralPost, &ComputeRayDirectionDec, SegmentPost },
+  { F::IntegralPreIntegrated, &ComputeRayDirectionDec, SegmentPreIntegrated },
+  { F::IntegralInData, &ComputeRayDirectionDec, SegmentInData },
+  { F::IntegralInSpace, &ComputeRayDirectionDec, SegmentInSpace },
+  { F::Integral, &ComputeRayDirectionDec, SegmentOpacity },
+  { F::ColorOfSegment, &ComputeRayDirectionDec, ColorOfSegment },
+  { F::ColorOfFirst, &ComputeRayDirectionDec, ColorOfFirst },
+  { F::ColorOfSample, &ComputeRayDirectionDec, ColorOfSample },
+  { F::SilhouetteOff, &ComputeRayDirectionDec, SilhouetteOff },
+  { F::SilhouetteOn, &ComputeRayDirectionDec, SilhouetteGeometry },
+  { F::SilhouetteExact, &ComputeRayDirectionDec, SilhouetteExact },
+  { F::SilhouetteClamped, &ComputeRayDirectionDec, SilhouetteClamped },
+  { F::Integral, &ComputeRayDirectionDec, SegmentSmooth },
+  { F::IsosurfacesNone, &ComputeRayDirectionDec, IsosurfacesNone },
+  { F::Isosurfaces, &ComputeRayDirectionDec, Isosurfaces },
+  { F::Integral, &ComputeRayDirectionDec, IntegralRay },
+  { F::Integral, &ShadingInit, IntegralInit },
+  { F::Integral, &ShadingImpl, IntegralImpl },
+  { F::Integral, &TerminateImpl, IntegralTerminate },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
@@ -149,6 +218,27 @@ const Statement LightingCalls[] = {
   { "return computeLighting(", "g_opticsScalar = scalar;\n  return computeLighting(" },
   { "g_srcColor = computeLighting(", "g_opticsScalar = scalar;\n      g_srcColor = computeLighting(" },
 };
+
+// Where VTK classifies a sample by its scalar alone; after the calls above.
+const Statement ClassificationCalls[] = {
+  { "g_srcColor.a = computeOpacity(scalar);",
+    "g_srcColor.a = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
+  { "float opacity = computeOpacity(scalar);",
+    "float opacity = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
+  { "return clamp(computeLighting(", "return clamp(opticsLightClassified(" },
+  { "return opticsUnclamped(computeLighting(", "return opticsUnclamped(opticsLightClassified(" },
+};
+
+template <std::size_t Count>
+bool ReplaceAny(std::string& fragment, const Statement (&statements)[Count])
+{
+  bool found = false;
+  for (const Statement& statement : statements)
+  {
+    found |= vtkShaderProgram::Substitute(fragment, statement.Text, statement.Replacement, true);
+  }
+  return found;
+}
 
 std::string TextFor(const Place& place, const OpticsFeatures& features)
 {
@@ -174,7 +264,7 @@ std::string NumberOfLightsText(int lights)
 // Our own places are in our text; those that no term fills leave nothing behind.
 void FillOwnPlaces(std::string& fragment, const OpticsFeatures& features)
 {
-  for (const Place* place : { &SurfacePlace, &LightPlace, &TransmissionPlace })
+  for (const Place* place : { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace })
   {
     vtkShaderProgram::Substitute(fragment, place->Tag, TextFor(*place, features), false);
   }
@@ -189,36 +279,37 @@ bool Insert(std::string& fragment, const Place& place, const std::string& text)
   const std::string kept = place.KeepsVTKText ? std::string(place.Tag) + "\n" : std::string();
   return vtkShaderProgram::Substitute(fragment, place.Tag, kept + text, false);
 }
+
+// Our own lighting stands in the place of VTK's; without it what is needed there is added.
+bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
+{
+  Place place = ComputeLightingDec;
+  std::string text = TextFor(ComputeLightingDec, features);
+  if (features.Has(OpticsFeature::Reflectance))
+  {
+    place.KeepsVTKText = false;
+    text.insert(0, NumberOfLightsText(features.NumberOfLights));
+    FillOwnPlaces(text, features);
+  }
+  return Insert(fragment, place, text);
+}
 }
 
 //------------------------------------------------------------------------------
 bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features)
 {
-  if (features.IsEmpty())
+  bool found = InsertLighting(fragment, features);
+  for (const Place* place :
+    { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ShadingInit, &ShadingImpl, &TerminateImpl })
   {
-    return true;
+    found &= Insert(fragment, *place, TextFor(*place, features));
   }
-  std::string lighting = TextFor(ComputeLightingDec, features);
-  if (!lighting.empty())
-  {
-    lighting.insert(0, NumberOfLightsText(features.NumberOfLights));
-    FillOwnPlaces(lighting, features);
-  }
-  return Insert(fragment, BaseDec, TextFor(BaseDec, features)) &&
-    Insert(fragment, BaseInit, TextFor(BaseInit, features)) && Insert(fragment, ComputeLightingDec, lighting);
+  return found;
 }
 
 //------------------------------------------------------------------------------
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
-  if (!features.Has(OpticsFeature::Reflectance))
-  {
-    return true;
-  }
-  bool found = false;
-  for (const Statement& call : LightingCalls)
-  {
-    found |= vtkShaderProgram::Substitute(fragment, call.Text, call.Replacement, true);
-  }
-  return found;
+  const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
+  return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
 }

@@ -12,6 +12,12 @@
 
 enum class OpticsFeature
 {
+  Ray,          // eye space along the ray
+  SampleScalar, // the sample's components are handed on to computeLighting()
+  OpacityTable,
+  ColorTable,
+  NoColorTable,
+  OpacityFormulas,
   Reflectance, // light is evaluated here: replaces VTK's computeLighting()
   ReflectanceVTK,
   ReflectanceNone,
@@ -22,11 +28,14 @@ enum class OpticsFeature
   CoefficientsOfTable,
   ScalarPairFetched,
   ScalarPairExtrapolated,
+  MultiSample,
   HybridNormals,
   HybridDiffuse,     // with a model whose diffuse part has a side
   Scattering,        // a model whose diffuse part is a phase function
   Surface,           // a model with a normal
   ExtinctionSurface, // a model with the normal of the classified extinction
+  SurfaceOfExtinction,
+  SurfaceInData,
   ScalarLookup,
   ScalarGradientStored,
   ScalarGradientCentral,
@@ -47,6 +56,20 @@ enum class OpticsFeature
   GradientOpacityScalar,
   LightsDirectional,
   LightsPositional,
+  Integral, // segments are integrated here: replaces VTK's sampling of a ray
+  IntegralPost,
+  IntegralPreIntegrated,
+  IntegralInData,
+  IntegralInSpace,
+  ColorOfSegment,
+  ColorOfFirst,
+  ColorOfSample,
+  SilhouetteOff,
+  SilhouetteOn, // any but off
+  SilhouetteExact,
+  SilhouetteClamped,
+  IsosurfacesNone,
+  Isosurfaces,
   Count
 };
 

@@ -168,8 +168,17 @@ public:
 
   ///@{
   /**
-   * Bits of each number of the transfer functions' tables on the GPU: 8, 16 or 32 (float). Default 16.
-   * Other numbers are refused with a warning.
+   * Entries per axis of the table of Classification PreIntegrated, in [2, 4096]. Default 256. The table is
+   * rebuilt when a transfer function or the range of the data changes.
+   */
+  vtkGetMacro(PreIntegrationTableSize, int);
+  void SetPreIntegrationTableSize(int size);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of transfer functions' tables on the GPU: 16 or 32 (float). Default 32. Other
+   * numbers are refused with a warning.
    */
   vtkGetMacro(TablePrecision, int);
   void SetTablePrecision(int bits);
@@ -177,7 +186,8 @@ public:
 
   ///@{
   /**
-   * Where a lighting transfer function takes the scalars on both sides of a sample from: two fetches of
+   * Where a lighting transfer function and a classification by several samples take the scalars on both
+   * sides of a sample from: two fetches of
    * the volume along the gradient (Fetched); or as if the scalar were linear there, from the gradient's
    * magnitude, by no fetch of its own (Extrapolated). Default Fetched.
    */
@@ -265,8 +275,9 @@ private:
   int ExtinctionGradient = Stored;
   int ScalarGradient = CentralDifferences;
   int LightingTableSize = 256;
-  int TablePrecision = 16;
   int LightingSamples = Fetched;
+  int PreIntegrationTableSize = 256;
+  int TablePrecision = 32;
   int Quality = Custom;
 
   class Implementation;

@@ -5,6 +5,7 @@
 
 #include "ParameterRange.h"
 #include "vtkLightingTransferFunction.h"
+#include "vtkMultiSampleClassification.h"
 
 #include "vtkObjectFactory.h"
 
@@ -185,6 +186,22 @@ vtkLightingTransferFunction* vtkOpticsVolumeProperty::GetLightingTransferFunctio
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetMultiSampleClassification(vtkMultiSampleClassification* classification)
+{
+  if (this->MultiSampleClassification != classification)
+  {
+    this->MultiSampleClassification = classification;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiSampleClassification* vtkOpticsVolumeProperty::GetMultiSampleClassification()
+{
+  return this->MultiSampleClassification;
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::SetGradientStepLength(double length)
 {
   volumeoptics::SetWithinRange(this, "GradientStepLength", length, 0.0, 1.0e4, this->GradientStepLength);
@@ -199,8 +216,13 @@ void vtkOpticsVolumeProperty::SetLightScale(double scale)
 //------------------------------------------------------------------------------
 vtkMTimeType vtkOpticsVolumeProperty::GetMTime()
 {
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return this->LightingTransferFunction ? std::max(time, this->LightingTransferFunction->GetMTime()) : time;
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* object : { static_cast<vtkObject*>(this->LightingTransferFunction),
+         static_cast<vtkObject*>(this->MultiSampleClassification) })
+  {
+    time = object ? std::max(time, object->GetMTime()) : time;
+  }
+  return time;
 }
 
 //------------------------------------------------------------------------------
@@ -237,6 +259,7 @@ void vtkOpticsVolumeProperty::CopyLightingTransferFunction(vtkOpticsVolumeProper
     this->LightingTransferFunction = vtkSmartPointer<vtkLightingTransferFunction>::New();
     this->LightingTransferFunction->ShallowCopy(source->LightingTransferFunction);
   }
+  this->MultiSampleClassification = source->MultiSampleClassification;
   this->GradientStepLength = source->GradientStepLength;
   this->LightScale = source->LightScale;
   this->HybridNormals = source->HybridNormals;
@@ -267,6 +290,7 @@ void vtkOpticsVolumeProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Silhouette: " << this->GetSilhouetteAsString() << "\n";
   os << indent << "TransmittedLight: " << this->GetTransmittedLightAsString() << "\n";
   os << indent << "LightingTransferFunction: " << this->LightingTransferFunction.Get() << "\n";
+  os << indent << "MultiSampleClassification: " << this->MultiSampleClassification.Get() << "\n";
   os << indent << "GradientStepLength: " << this->GradientStepLength << "\n";
   os << indent << "LightScale: " << this->LightScale << "\n";
   os << indent << "HybridNormals: " << (this->HybridNormals ? "on" : "off") << "\n";

@@ -31,6 +31,7 @@
 #include <vector> // for the isosurfaces
 
 class vtkLightingTransferFunction;
+class vtkMultiSampleClassification;
 
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeProperty : public vtkVolumeProperty
 {
@@ -41,7 +42,8 @@ public:
 
   /**
    * Copies the settings of vtkVolumeProperty and, if the source has them, of this class. Transfer
-   * functions are copied deeply, but curves and table image of a lighting transfer function are shared.
+   * functions are copied deeply, but curves and table image of a lighting transfer function, and a
+   * classification by several samples, are shared.
    */
   void DeepCopy(vtkVolumeProperty* source);
 
@@ -258,6 +260,17 @@ public:
 
   ///@{
   /**
+   * Colour and opacity by the scalar of a sample and those on both sides of it, in place of those of the
+   * transfer functions where a rule holds. nullptr, the default, is none. Not with IntegrationSpace Data,
+   * Classification PreIntegrated, 2D transfer functions or the reflectance models Blinn-Phong, Ward and
+   * Lafortune, which the mapper says. [Lum2004] section 7.
+   */
+  void SetMultiSampleClassification(vtkMultiSampleClassification* classification);
+  vtkMultiSampleClassification* GetMultiSampleClassification();
+  ///@}
+
+  ///@{
+  /**
    * Distance from a sample to those on both sides of it, in units of the image's smallest spacing; in
    * [0, 1e4], default 1. At 0 both are the sample itself. Outside of the volume the scalar is that of
    * its nearest border point. [Lum2004] h of eq. 2.
@@ -323,6 +336,7 @@ private:
   int Silhouette = SilhouetteOff;
   int TransmittedLight = TransmittedLightOff;
   vtkSmartPointer<vtkLightingTransferFunction> LightingTransferFunction;
+  vtkSmartPointer<vtkMultiSampleClassification> MultiSampleClassification;
   double GradientStepLength = 1.0;
   double LightScale = 1.0;
   bool HybridNormals = false;

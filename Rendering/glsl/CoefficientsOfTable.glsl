@@ -12,7 +12,7 @@ float g_opticsDensityDifference; // of the last sample
 
 OpticsCoefficients opticsCoefficients(int component)
 {
-  vec4 texel = texture(in_opticsLightingTable, opticsScalarPair(g_dataPos, opticsScalarGradient(g_dataPos)));
+  vec4 texel = texture(in_opticsLightingTable, opticsScalarPair(g_dataPos, g_opticsScalarGradient));
   g_opticsDensityDifference = texel.a * in_opticsLightingTableCode.x + in_opticsLightingTableCode.y;
   vec3 coefficients = texel.rgb * in_opticsLightScale;
   return OpticsCoefficients(vec3(coefficients.r), vec3(coefficients.g), vec3(coefficients.b));

@@ -7,6 +7,6 @@ uniform float in_opticsDensityFade;
 
 vec3 opticsHybridNormal(vec3 normal, float side)
 {
-  vec3 downhill = side * opticsNormalInEye(-opticsScalarGradient(g_dataPos));
+  vec3 downhill = side * opticsNormalInEye(-g_opticsScalarGradient);
   return dot(normal, downhill) < 0.0 ? -normal : normal;
 }

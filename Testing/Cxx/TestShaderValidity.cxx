@@ -65,11 +65,37 @@ void Validate(Check& check, const std::string& name, const std::string& text)
   const std::string command = std::string(VOLUMEOPTICS_GLSLANG) + " " + path;
   check.That(!text.empty() && std::system(command.c_str()) == 0, name + ": " + path + " is not valid GLSL");
 }
+
+// Every model under a lighting transfer function, by every way to its pair of scalars.
+void ValidateLighting(Check& check)
+{
+  for (int model = vtkOpticsVolumeProperty::VTK; model <= vtkOpticsVolumeProperty::Lafortune; ++model)
+  {
+    for (int way = 0; way < 8; ++way)
+    {
+      TestScene scene;
+      scene.Window->SetSize(8, 8);
+      scene.Source->SetDimensions(8, 8, 8);
+      const ShaderText shader(scene.Mapper);
+      LightEverywhere(scene, 1.0, 1.0, 1.0);
+      scene.Property->SetReflectanceModel(model);
+      scene.Optics->SetScalarGradient(way % 2);
+      scene.Optics->SetLightingSamples(way / 2 % 2);
+      scene.Property->SetHybridNormals(way / 4 == 1);
+      scene.Render();
+      scene.Render();
+      const std::string name = std::string("Lighting-") + scene.Property->GetReflectanceModelAsString();
+      Validate(check, name + std::to_string(way), shader.Text);
+      check.That(shader.Text.find("in_opticsLightingTable") != std::string::npos, name + ": has no table");
+    }
+  }
+}
 }
 
 int TestShaderValidity(int, char*[])
 {
   Check check;
+  ValidateLighting(check);
   for (const Choice& model : Models)
   {
     for (const Choice& storage : Storages)

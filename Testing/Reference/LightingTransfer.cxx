@@ -37,8 +37,7 @@ double ValueWithin(const Scene& scene, const Vector& point)
 }
 
 //------------------------------------------------------------------------------
-LightingCoefficients LightingCoefficientsAt(
-  const Scene& scene, const Sample& sample, const Vector& gradient)
+LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient)
 {
   const double steepness = glm::length(gradient);
   const Vector direction = steepness > 0.0 ? gradient / steepness : Vector(0.0);
@@ -53,14 +52,13 @@ LightingCoefficients LightingCoefficientsAt(
   coefficients.specular = values[2] * scene.lightScale;
   if (scene.hybridNormals)
   {
-    coefficients.side =
-      optics::HybridSide(scene.Opacity(ahead) - scene.Opacity(behind), scene.densityFade);
+    coefficients.side = optics::HybridSide(scene.Opacity(ahead) - scene.Opacity(behind), scene.densityFade);
   }
   return coefficients;
 }
 
 //------------------------------------------------------------------------------
-Vector LightingTransferRadiance(const Scene& scene, const Sample& sample)
+Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color)
 {
   const Vector gradient = scene.field->Gradient(sample.position);
   const double steepness = glm::length(gradient);
@@ -75,8 +73,7 @@ Vector LightingTransferRadiance(const Scene& scene, const Sample& sample)
     const Illumination illumination = IlluminationAt(scene, light, sample.position);
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-10);
-    diffuse +=
-      illumination.factor * Facing(glm::dot(normal, illumination.toLight), twoSided) * light.diffuse;
+    diffuse += illumination.factor * Facing(glm::dot(normal, illumination.toLight), twoSided) * light.diffuse;
     const double facing = Facing(cosHalf, twoSided);
     if (facing > 0.0)
     {
@@ -84,8 +81,7 @@ Vector LightingTransferRadiance(const Scene& scene, const Sample& sample)
     }
   }
   const double fade = std::abs(coefficients.side);
-  const Vector radiance = scene.Color(sample.scalar) *
-      (coefficients.ambient + coefficients.diffuse * fade * diffuse) +
+  const Vector radiance = color * (coefficients.ambient + coefficients.diffuse * fade * diffuse) +
     coefficients.specular * fade * specular;
   return glm::min(radiance, LargestRadiance);
 }

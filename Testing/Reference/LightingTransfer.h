@@ -20,11 +20,10 @@ struct LightingCoefficients
 };
 
 // gradient: of the scalar, along which S1 and S2 are taken.
-LightingCoefficients LightingCoefficientsAt(
-  const Scene& scene, const Sample& sample, const Vector& gradient);
+LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient);
 
 // The mapper's Phong model with those coefficients; the other models are not here.
-Vector LightingTransferRadiance(const Scene& scene, const Sample& sample);
+Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color);
 }
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "TestScene.h"
-int TestLightingExtremes(int, char*[]) { return 0; }
+// Place Base::Dec. Whether what is lit is an isosurface.
+
+bool g_opticsIsSurface = false;
