@@ -46,7 +46,10 @@ SideBySide::SideBySide(
   this->Scene.GetWindow()->AddRenderer(this->Pane.GetRenderer());
 }
 
-SideBySide::~SideBySide() = default;
+SideBySide::~SideBySide()
+{
+  this->EditorStyle->SetScene(nullptr);
+}
 
 void SideBySide::ShowEditorAlone()
 {
@@ -69,6 +72,8 @@ void SideBySide::ChooseStyle()
   if (this->Interactor->GetInteractorStyle() != wanted)
   {
     this->Interactor->SetInteractorStyle(wanted);
+    // a style without an interactor must not hear of its scene
+    this->EditorStyle->SetScene(onEditor ? this->Pane.GetScene() : nullptr);
   }
 }
 
@@ -76,7 +81,6 @@ void SideBySide::Connect(vtkRenderWindowInteractor* interactor, double rate)
 {
   this->Interactor = interactor;
   this->DraftRate = rate;
-  this->EditorStyle->SetScene(this->Pane.GetScene());
   interactor->SetInteractorStyle(this->VolumeStyle);
   const vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
