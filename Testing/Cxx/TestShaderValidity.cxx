@@ -6,6 +6,7 @@
 
 #include "ShaderText.h"
 #include "TestScene.h"
+#include "TetrahedraScene.h"
 
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkLight.h"
@@ -90,12 +91,35 @@ void ValidateLighting(Check& check)
     }
   }
 }
+
+// Projected tetrahedra: every silhouette, with and without isosurfaces.
+void ValidateTetrahedra(Check& check)
+{
+  Grid grid = MakeBox(1, [](double, double, double z) { return z; });
+  for (int silhouette = 0; silhouette < 4; ++silhouette)
+  {
+    for (int surfaces = 0; surfaces < 2; ++surfaces)
+    {
+      TetrahedraScene scene(TetrahedraScene::Projected, grid, 8);
+      const ShaderText shader(scene.Tetrahedra);
+      scene.Property->SetSilhouette(silhouette);
+      for (int i = 0; i < surfaces; ++i)
+      {
+        scene.Property->AddIsosurface(0.5, 1.0, 1.0, 1.0, 0.5);
+      }
+      scene.Render();
+      const std::string name = std::string("Tetrahedra-") + scene.Property->GetSilhouetteAsString();
+      Validate(check, name + (surfaces ? "-Isosurfaces" : ""), shader.Text);
+    }
+  }
+}
 }
 
 int TestShaderValidity(int, char*[])
 {
   Check check;
   ValidateLighting(check);
+  ValidateTetrahedra(check);
   for (const Choice& model : Models)
   {
     for (const Choice& storage : Storages)
