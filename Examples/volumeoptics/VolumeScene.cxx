@@ -106,6 +106,7 @@ void VolumeScene::Apply(const PictureSettings& picture)
 {
   this->PreparationSeconds = 0.0;
   ::Apply(picture.Function, this->Property);
+  ::Apply(picture.Function.Integration, this->Property);
   this->ApplyOptics(picture.Optics);
   this->ApplyAmbient(picture.Ambient);
   this->ApplyQuality(picture.Quality);
