@@ -12,10 +12,14 @@ set(filter_classes
   vtkSobelNormalFilter
   vtkStructuralDissimilarity)
 set(rendering_classes
+  vtkDataSpaceProjectedTetrahedraMapper
+  vtkDataSpaceRayCastFunction
+  vtkDataSpaceRayIntegrator
   vtkHeadlessRenderWindow
   vtkOpticsPreset
   vtkOpticsVolumeMapper
-  vtkOpticsVolumeProperty)
+  vtkOpticsVolumeProperty
+  vtkPreIntegratedTable)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -33,6 +37,12 @@ set(filter_sources
   ScalarSource
   SobelStencil)
 set(rendering_sources
+  DataSpaceClassification
+  ProjectedTetrahedraPainter
+  ProjectedTetrahedraTarget
+  TetrahedraVertices
+  TetrahedralGrid
+  AttenuatedStretch
   DefaultOptics
   FrameProvider
   FrameTextures
@@ -44,8 +54,10 @@ set(rendering_sources
   OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
+  PreIntegration
   ReflectanceTerm
   ScalarOpacityTexture
+  TransferFunctionStretches
   vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)

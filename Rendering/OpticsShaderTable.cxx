@@ -11,6 +11,8 @@
 #include "AnisotropyWorld.h"
 #include "CoefficientsDec.h"
 #include "CoefficientsOfProperty.h"
+#include "DataSpace.h"
+#include "DataSpaceSegment.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
@@ -32,6 +34,9 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
+#include "ProjectedTetrahedraDec.h"
+#include "ProjectedTetrahedraMain.h"
+#include "ProjectedTetrahedraVertex.h"
 #include "RayDec.h"
 #include "RayInit.h"
 #include "Reflectance.h"
@@ -204,4 +209,17 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
     found |= vtkShaderProgram::Substitute(fragment, call.Text, call.Replacement, true);
   }
   return found;
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraVertexShader()
+{
+  return ProjectedTetrahedraVertex;
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraFragmentShader()
+{
+  return std::string(ProjectedTetrahedraDec) + Opacity + DataSpace + DataSpaceSegment +
+    ProjectedTetrahedraMain;
 }

@@ -72,4 +72,10 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
  */
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 
+/**
+ * The shaders of vtkDataSpaceProjectedTetrahedraMapper, which do not depend on its settings.
+ */
+std::string ProjectedTetrahedraVertexShader();
+std::string ProjectedTetrahedraFragmentShader();
+
 #endif

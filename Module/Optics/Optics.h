@@ -27,6 +27,7 @@ using namespace glm;
 #define float double
 #include "PhaseFunction.glsl"
 #include "Opacity.glsl"
+#include "DataSpace.glsl"
 #include "AnisotropyFrame.glsl"
 #include "Reflectance.glsl"
 #undef float

@@ -28,6 +28,7 @@ using namespace glm;
 
 #include "OpticsFloat/PhaseFunction.glsl"
 #include "OpticsFloat/Opacity.glsl"
+#include "OpticsFloat/DataSpace.glsl"
 #include "OpticsFloat/AnisotropyFrame.glsl"
 #include "OpticsFloat/Reflectance.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
