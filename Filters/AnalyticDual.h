@@ -73,6 +73,11 @@ inline Dual Cos(const Dual& a)
 {
   return Chain(a, std::cos(a.value), -std::sin(a.value));
 }
+inline Dual Exp(const Dual& a)
+{
+  const double power = std::exp(a.value);
+  return Chain(a, power, power);
+}
 // The root of a squared distance has no gradient at 0; there it counts as 0.
 inline Dual Sqrt(const Dual& a)
 {
@@ -86,6 +91,10 @@ inline double Sin(double a)
 inline double Cos(double a)
 {
   return std::cos(a);
+}
+inline double Exp(double a)
+{
+  return std::exp(a);
 }
 inline double Sqrt(double a)
 {

@@ -28,7 +28,8 @@ struct Parameters
 {
   Vector semiAxes = { 0.4, 0.4, 0.8 };
   Vector axis = { 0.0, 0.0, 1.0 }; // of Cylinder, Torus and LinearRamp; any length but 0
-  double radius = 0.5;             // of Sphere, Cylinder and the ring of Torus
+  double radius = 0.5;             // of Sphere, Cylinder, the ring of Torus, HydrogenOrbital, Buckyball
+  double strength = 0.2;           // of CoulombPotential, and of the strongest of CoulombPotentials
   double minorRadius = 0.2;        // of Torus
   double noiseAmplitude = 0.05;    // of NoisyHomogeneous
   double noiseCellSize = 1.0 / 32.0;
@@ -170,6 +171,8 @@ Number NoisyHomogeneous(const std::array<Number, 3>& p, const Parameters& parame
 
 #include "AnalyticStructures.h"
 
+#include "AnalyticPotentials.h"
+
 namespace analytic
 {
 enum FieldType
@@ -183,6 +186,10 @@ enum FieldType
   VortexTubesField,
   LinearRampField,
   NoisyHomogeneousField,
+  CoulombPotentialField,
+  CoulombPotentialsField,
+  HydrogenOrbitalField,
+  BuckyballField,
   NumberOfFields
 };
 
@@ -195,6 +202,7 @@ public:
     , Settings(parameters)
     , Ellipsoids(field == PackedEllipsoidsField ? MakePackedEllipsoids() : std::vector<PlacedEllipsoid>())
     , Tubes(field == VortexTubesField ? MakeVortexTubes(parameters.seed) : std::vector<VortexTube>())
+    , Atoms(field == BuckyballField ? MakeBuckyball(parameters.radius) : std::vector<Vector>())
   {
   }
 
@@ -235,6 +243,14 @@ private:
         return LinearRamp(p, this->Settings.axis);
       case NoisyHomogeneousField:
         return NoisyHomogeneous(p, this->Settings);
+      case CoulombPotentialField:
+        return CoulombPotential(SquaredDistanceFrom(p, { 0.0, 0.0, 0.0 }), this->Settings.strength);
+      case CoulombPotentialsField:
+        return CoulombPotentials(p, this->Settings.strength);
+      case HydrogenOrbitalField:
+        return HydrogenOrbital(p, r);
+      case BuckyballField:
+        return Buckyball(p, this->Atoms, r);
       default:
         return MarschnerLobb(p);
     }
@@ -244,6 +260,7 @@ private:
   Parameters Settings;
   std::vector<PlacedEllipsoid> Ellipsoids;
   std::vector<VortexTube> Tubes;
+  std::vector<Vector> Atoms;
 };
 }
 

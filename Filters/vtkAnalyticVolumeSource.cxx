@@ -29,7 +29,7 @@ static_assert(
 namespace
 {
 const char* const FieldNames[] = { "MarschnerLobb", "Sphere", "Ellipsoid", "Cylinder", "Torus",
-  "PackedEllipsoids", "VortexTubes", "LinearRamp", "NoisyHomogeneous" };
+  "PackedEllipsoids", "VortexTubes", "LinearRamp", "NoisyHomogeneous", "CoulombPotential", "CoulombPotentials", "HydrogenOrbital", "Buckyball" };
 
 // Progress and abort are looked at this many times.
 const vtkIdType NumberOfPortions = 32;
@@ -163,6 +163,7 @@ int vtkAnalyticVolumeSource::RequestData(
   std::copy(this->SemiAxes, this->SemiAxes + 3, parameters.semiAxes.begin());
   std::copy(this->Axis, this->Axis + 3, parameters.axis.begin());
   parameters.radius = this->Radius;
+  parameters.strength = this->Strength;
   parameters.minorRadius = this->MinorRadius;
   parameters.noiseAmplitude = this->NoiseAmplitude;
   parameters.noiseCellSize = this->NoiseCellSize;
@@ -201,6 +202,7 @@ void vtkAnalyticVolumeSource::PrintSelf(ostream& os, vtkIndent indent)
   printVector("Bounds", this->Bounds, 6);
   os << indent << "OutputScalarType: " << vtkImageScalarTypeNameMacro(this->OutputScalarType) << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Strength: " << this->Strength << "\n";
   os << indent << "MinorRadius: " << this->MinorRadius << "\n";
   printVector("SemiAxes", this->SemiAxes, 3);
   printVector("Axis", this->Axis, 3);

@@ -35,7 +35,11 @@ public:
    * Ellipsoid, Cylinder (infinite), Torus: 1 in the middle, one half on the surface.
    * PackedEllipsoids: as [Ament2015] figure 5, see SetBoundsToPackedEllipsoids(). VortexTubes:
    * curved, intertwined tubes, 1 in their middle and 0 between them. LinearRamp: (1 + position along
-   * Axis)/2. NoisyHomogeneous: one half plus noise. Default MarschnerLobb.
+   * Axis)/2. NoisyHomogeneous: one half plus noise. CoulombPotential: of a charge in the middle, Strength
+   * over the distance from it, rounded off to 1 within Strength. CoulombPotentials: half the sum of three,
+   * with Strength, a half and a quarter of it, as [Kraus2005] figure 1. HydrogenOrbital: density of 3d_z2,
+   * figure 8, its lobes largest at Radius. Buckyball: bumps at the atoms of C60, at Radius from the middle.
+   * Default MarschnerLobb.
    */
   enum FieldType
   {
@@ -48,6 +52,10 @@ public:
     VortexTubes,
     LinearRamp,
     NoisyHomogeneous,
+    CoulombPotential,
+    CoulombPotentials,
+    HydrogenOrbital,
+    Buckyball,
     NumberOfFields
   };
   vtkGetMacro(Field, int);
@@ -61,6 +69,10 @@ public:
   void SetFieldToVortexTubes() { this->SetField(VortexTubes); }
   void SetFieldToLinearRamp() { this->SetField(LinearRamp); }
   void SetFieldToNoisyHomogeneous() { this->SetField(NoisyHomogeneous); }
+  void SetFieldToCoulombPotential() { this->SetField(CoulombPotential); }
+  void SetFieldToCoulombPotentials() { this->SetField(CoulombPotentials); }
+  void SetFieldToHydrogenOrbital() { this->SetField(HydrogenOrbital); }
+  void SetFieldToBuckyball() { this->SetField(Buckyball); }
   const char* GetFieldAsString();
   ///@}
 
@@ -97,12 +109,14 @@ public:
 
   ///@{
   /**
-   * Shapes, in world units above 0: radius of Sphere, Cylinder and of Torus' ring (0.5), radius of
-   * Torus' tube (0.2), semi-axes of Ellipsoid (0.4, 0.4, 0.8), axis of Cylinder, Torus and LinearRamp
+   * Shapes, in world units above 0: radius of Sphere, Cylinder, of Torus' ring, HydrogenOrbital and
+   * Buckyball (0.5), strength of the charges (0.2), radius of Torus' tube (0.2), semi-axes of Ellipsoid (0.4, 0.4, 0.8), axis of Cylinder, Torus and LinearRamp
    * (0, 0, 1; of any length above 0).
    */
   vtkGetMacro(Radius, double);
   vtkSetClampMacro(Radius, double, 1.0e-30, 1.0e30);
+  vtkGetMacro(Strength, double);
+  vtkSetClampMacro(Strength, double, 1.0e-30, 1.0e30);
   vtkGetMacro(MinorRadius, double);
   vtkSetClampMacro(MinorRadius, double, 1.0e-30, 1.0e30);
   vtkGetVector3Macro(SemiAxes, double);
@@ -149,6 +163,7 @@ private:
   double Bounds[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
   int OutputScalarType = VTK_FLOAT;
   double Radius = 0.5;
+  double Strength = 0.2;
   double MinorRadius = 0.2;
   double SemiAxes[3] = { 0.4, 0.4, 0.8 };
   double Axis[3] = { 0.0, 0.0, 1.0 };

@@ -20,7 +20,7 @@ constexpr double LeastDepth = 1.0e-290;
 struct Stretch
 {
   double width = 0.0;
-  double depth = 0.0;                   // of tau
+  double depth = 0.0;                    // of tau
   glm::dvec3 emission = glm::dvec3(0.0); // of c tau
   glm::dvec3 color = glm::dvec3(0.0);    // of c
   glm::dvec3 first = glm::dvec3(0.0);    // c at the lower end

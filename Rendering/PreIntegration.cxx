@@ -61,11 +61,13 @@ void PreIntegration::MakeHalfCells()
   int last = -1;
   for (const PlacedStretch& stretch : this->Stretches)
   {
-    const int half = std::clamp(static_cast<int>((stretch.begin + stretch.width / 2.0) * count), 0, count - 1);
+    const int half =
+      std::clamp(static_cast<int>((stretch.begin + stretch.width / 2.0) * count), 0, count - 1);
     Stretch& joined = this->Blocks[0][half];
     joined = half == last ? Join(joined, stretch) : static_cast<const Stretch&>(stretch);
     Slab& cell = this->Cells[half / 2];
-    cell = half / 2 == last / 2 && last >= 0 ? Composite(cell, Attenuate(stretch, 1.0)) : Attenuate(stretch, 1.0);
+    cell =
+      half / 2 == last / 2 && last >= 0 ? Composite(cell, Attenuate(stretch, 1.0)) : Attenuate(stretch, 1.0);
     last = half;
   }
 }
@@ -97,38 +99,42 @@ Stretch PreIntegration::AroundEntry(int entry) const
 }
 
 //------------------------------------------------------------------------------
-void PreIntegration::WriteRow(int row, float* entries) const
+float* PreIntegration::EntryOf(int front, int back, float* table) const
 {
-  WriteMean(this->AroundEntry(row), &entries[4 * row]);
+  return table + 4 * (static_cast<std::size_t>(back) * this->Size + front);
+}
+
+//------------------------------------------------------------------------------
+void PreIntegration::WriteRow(int row, float* table) const
+{
+  WriteMean(this->AroundEntry(row), this->EntryOf(row, row, table));
   Slab slab;
   for (int front = row - 1; front >= 0; --front)
   {
     slab = Composite(this->Cells[front], slab);
-    Write(UpwardColor(slab), slab.depth / slab.width, &entries[4 * front]);
+    Write(UpwardColor(slab), slab.depth / slab.width, this->EntryOf(front, row, table));
   }
   slab = Slab();
   for (int front = row + 1; front < this->Size; ++front)
   {
     slab = Composite(slab, this->Cells[front - 1]);
-    Write(DownwardColor(slab), slab.depth / slab.width, &entries[4 * front]);
+    Write(DownwardColor(slab), slab.depth / slab.width, this->EntryOf(front, row, table));
   }
 }
 
 //------------------------------------------------------------------------------
-void PreIntegration::WriteRow(int row, double length, float* entries) const
+// Upwards to the row's scalar, and the same segments downwards from it.
+void PreIntegration::WriteRow(int row, double length, float* table) const
 {
-  WriteMean(this->AroundEntry(row), &entries[4 * row]);
-  const double cellWidth = 1.0 / (this->Size - 1);
-  for (int front = 0; front < this->Size; ++front)
+  WriteMean(this->AroundEntry(row), this->EntryOf(row, row, table));
+  for (int low = 0; low < row; ++low)
   {
-    if (front == row)
-    {
-      continue;
-    }
     // the segment's length is spread over its scalars
-    const double scale = length / (std::abs(front - row) * cellWidth);
-    const Slab slab = this->Segment(std::min(front, row), std::max(front, row), scale);
-    Write(front < row ? UpwardColor(slab) : DownwardColor(slab), slab.depth / scale / slab.width, &entries[4 * front]);
+    const double scale = length * (this->Size - 1) / (row - low);
+    const Slab slab = this->Segment(low, row, scale);
+    const double mean = slab.depth / length;
+    Write(UpwardColor(slab), mean, this->EntryOf(low, row, table));
+    Write(DownwardColor(slab), mean, this->EntryOf(row, low, table));
   }
 }
 
@@ -177,7 +183,8 @@ std::vector<float> PreIntegration::DepthsBehind() const
   std::vector<float> depths(2 * this->Size, 0.0F);
   const double cells = this->Size - 1.0;
   const auto entryAt = [cells](double place) { return static_cast<int>(std::lround(place * cells)); };
-  const auto isAtEntry = [cells, entryAt](double place) { return std::abs(place * cells - entryAt(place)) < 1.0e-6; };
+  const auto isAtEntry = [cells, entryAt](
+                           double place) { return std::abs(place * cells - entryAt(place)) < 1.0e-6; };
   double below = 0.0;
   for (const PlacedStretch& stretch : this->Stretches)
   {

@@ -16,22 +16,23 @@ namespace volumeoptics
 // products with lengths.
 constexpr double LargestAttenuation = 1.0e30;
 
-// Rows of a table of size x size entries of {colour, mean attenuation}, see vtkPreIntegratedTable. Rows may
-// be written from any number of threads.
+// Writes a table of size x size entries of {colour, mean attenuation}, see vtkPreIntegratedTable. All rows
+// together make the table; they may be written from any number of threads.
 class PreIntegration
 {
 public:
   PreIntegration(const TransferFunctions& functions, int size);
 
   // Data space.
-  void WriteRow(int row, float* entries) const;
+  void WriteRow(int row, float* table) const;
   // Physical space, segments of the given length.
-  void WriteRow(int row, double length, float* entries) const;
+  void WriteRow(int row, double length, float* table) const;
 
   std::vector<float> Cumulative() const;
   std::vector<float> DepthsBehind() const;
 
 private:
+  float* EntryOf(int front, int back, float* table) const;
   void MakeHalfCells();
   void MakeBlocks();
   Stretch AroundEntry(int entry) const;
@@ -39,7 +40,7 @@ private:
 
   int Size;
   std::vector<PlacedStretch> Stretches;
-  std::vector<Slab> Cells;                   // between neighbouring entries
+  std::vector<Slab> Cells;                  // between neighbouring entries
   std::vector<std::vector<Stretch>> Blocks; // of 1, 2, 4, ... half cells
 };
 }

@@ -192,10 +192,7 @@ private:
     return functions.Range[0] + place * (functions.Range[1] - functions.Range[0]);
   }
 
-  double Valid(int i) const
-  {
-    return this->Opacities[i] > 0.0 ? std::min(this->Opacities[i], 1.0) : 0.0;
-  }
+  double Valid(int i) const { return this->Opacities[i] > 0.0 ? std::min(this->Opacities[i], 1.0) : 0.0; }
 
   std::vector<double> Opacities;
   std::vector<double> Colors;
@@ -218,8 +215,7 @@ void CutPieces(
     const std::array<double, 2> opacity = samples.Opacity(i);
     const std::array<glm::dvec3, 2> color = samples.Color(i);
     PlacedStretch stretch;
-    static_cast<Stretch&>(stretch) =
-      LinearStretch(width, functions.Attenuation, opacity, color[0], color[1]);
+    static_cast<Stretch&>(stretch) = LinearStretch(width, functions.Attenuation, opacity, color[0], color[1]);
     stretch.begin = begin + i * width;
     stretch.transparentBelow = opacity[0] == 0.0;
     stretch.transparentAbove = opacity[1] == 0.0;

@@ -146,18 +146,15 @@ void vtkPreIntegratedTable::Build()
     isPhysical ? 1.0 : (this->Range[1] - this->Range[0]) / this->EffectiveUnitInterval();
 
   const volumeoptics::PreIntegration integration(functions, this->Size);
-  const std::size_t rowSize = 4 * static_cast<std::size_t>(this->Size);
-  this->Entries.resize(rowSize * this->Size);
+  this->Entries.resize(4 * static_cast<std::size_t>(this->Size) * this->Size);
   auto writeRows = [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType row = begin; row < end; ++row)
     {
-      float* entries = &this->Entries[rowSize * row];
-      isPhysical ? integration.WriteRow(static_cast<int>(row), this->SegmentLength, entries)
-                 : integration.WriteRow(static_cast<int>(row), entries);
+      isPhysical ? integration.WriteRow(static_cast<int>(row), this->SegmentLength, this->Entries.data())
+                 : integration.WriteRow(static_cast<int>(row), this->Entries.data());
     }
   };
-  this->Size < LeastSizeForThreads ? writeRows(0, this->Size)
-                                   : vtkSMPTools::For(0, this->Size, writeRows);
+  this->Size < LeastSizeForThreads ? writeRows(0, this->Size) : vtkSMPTools::For(0, this->Size, writeRows);
   this->Cumulative = integration.Cumulative();
   this->DepthsBehind = integration.DepthsBehind();
   for (std::size_t i = 3; i < this->Entries.size(); i += 4)

@@ -30,7 +30,7 @@
 #define vtkPreIntegratedTable_h
 
 #include "vtkObject.h"
-#include "vtkSmartPointer.h"        // for members
+#include "vtkSmartPointer.h"       // for members
 #include "vtkVolumeOpticsModule.h" // for export macro
 
 #include <vector> // for members

@@ -128,11 +128,73 @@ vec4 EvaluateFrame(int function, FunctionInput i)
   return ThreeNumbers(frame.minor); // 22
 }
 
+vec4 EvaluateOpacityInDataSpace(int function, vec3 p)
+{
+  if (function == 23)
+  {
+    return OneNumber(OpacityOverDepth(p.x));
+  }
+  if (function == 24)
+  {
+    return OneNumber(SegmentOpacity(p.x, p.y));
+  }
+  if (function == 25)
+  {
+    return OneNumber(OpacityForScalarStep(p.x, p.y));
+  }
+  if (function == 26)
+  {
+    return OneNumber(SilhouetteOpacity(p.x, p.y, p.z));
+  }
+  if (function == 27)
+  {
+    return OneNumber(ClampedSilhouetteOpacity(p.x, p.y, p.z));
+  }
+  if (function == 28)
+  {
+    return OneNumber(SurfaceSilhouetteOpacity(p.x, p.y));
+  }
+  return OneNumber(ClampedSurfaceOpacity(p.x, p.y)); // 29
+}
+
+vec4 EvaluateInDataSpace(int function, FunctionInput i)
+{
+  if (function < 30)
+  {
+    return EvaluateOpacityInDataSpace(function, i.p);
+  }
+  if (function == 30)
+  {
+    return OneNumber(ScalarStep(i.normal, i.p));
+  }
+  if (function == 31)
+  {
+    return OneNumber(LightSide(i.normal, i.toLight, i.toViewer));
+  }
+  if (function == 32)
+  {
+    return TwoNumbers(TransmittedLight(i.normal, i.toLight, i.toViewer, i.p.x));
+  }
+  if (function == 33)
+  {
+    return OneNumber(TransmittedShare(i.p.x, i.p.y, i.p.z));
+  }
+  if (function == 34)
+  {
+    return vec4(CrossesIsovalue(i.p.x, i.p.y, i.p.z) ? 1.0 : 0.0, CrossingFraction(i.p.x, i.p.y, i.p.z), 0.0, 0.0);
+  }
+  return OneNumber(TableCoordinate(i.p.x, i.p.y)); // 35
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
   {
     return EvaluateScalars(function, i.p);
   }
-  return function < 13 ? EvaluateReflectance(function, i) : EvaluateFrame(function, i);
+  if (function < 13)
+  {
+    return EvaluateReflectance(function, i);
+  }
+  return function < 23 ? EvaluateFrame(function, i) : EvaluateInDataSpace(function, i);
 }

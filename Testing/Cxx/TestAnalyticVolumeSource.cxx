@@ -79,6 +79,28 @@ void TestClosedValues()
   check.That(near(torus.Value({ 0.5, 0.0, 0.2 }), 0.5), "one half on the torus");
   const AnalyticField ramp(analytic::LinearRampField);
   check.That(near(ramp.Value({ 0.2, 0.3, 0.5 }), 0.75), "the ramp");
+  analytic::Parameters weak;
+  weak.strength = 0.05;
+  const AnalyticField charge(analytic::CoulombPotentialField);
+  const AnalyticField weakCharge(analytic::CoulombPotentialField, weak);
+  check.That(near(charge.Value({ 0.0, 0.0, 0.0 }), 1.0), "the charge");
+  check.That(near(charge.Value({ 0.0, 0.0, 0.2 * std::sqrt(3.0) }), 0.5), "one half near the charge");
+  check.That(
+    near(charge.Value({ 0.4, -0.8, 0.2 }), weakCharge.Value({ 0.1, -0.2, 0.05 })), "a scaled copy");
+  const AnalyticField orbital(analytic::HydrogenOrbitalField);
+  check.That(near(orbital.Value({ 0.0, 0.0, -0.5 }), 1.0), "the largest density of 3d_z2");
+  check.That(near(orbital.Value({ 0.5, 0.0, 0.0 }), 0.25), "the ring has a quarter of it");
+  const double node = 0.3; // z^2 = r^2/3
+  check.That(near(orbital.Value({ node, node, node }), 0.0), "no density on the cone between them");
+  const AnalyticField ball(analytic::BuckyballField);
+  const std::vector<analytic::Vector> atoms = analytic::MakeBuckyball(0.5);
+  check.That(atoms.size() == 60, "60 atoms");
+  for (const analytic::Vector& atom : atoms)
+  {
+    check.That(near(atom[0] * atom[0] + atom[1] * atom[1] + atom[2] * atom[2], 0.25), "on a sphere");
+    check.That(near(ball.Value(atom), 1.0), "1 at an atom");
+  }
+  check.That(near(ball.Value({ 0.0, 0.0, 0.0 }), 0.0), "an empty middle");
 }
 
 void TestRanges()

@@ -129,6 +129,26 @@ const std::vector<TestedFunction>& TestedFunctions()
       },
       8.0, 32.0 },
     { "EigenFrame.minor", one, 8.0, 32.0 },
+    // 1 - exp(-x) and -ln(1 - a), as above; a depth's own rounding is x exp(-x), less than one
+    { "OpacityOverDepth", relative, 100.0, 400.0 },
+    { "SegmentOpacity", relative, 100.0, 400.0 },
+    { "OpacityForScalarStep", relative, 200.0, 800.0 },
+    { "SilhouetteOpacity", relative, 100.0, 400.0 },
+    { "ClampedSilhouetteOpacity", relative, 100.0, 400.0 },
+    { "SurfaceSilhouetteOpacity", relative, 200.0, 800.0 },
+    { "ClampedSurfaceOpacity", relative, 2.0, 4.0 },
+    // a sum of three: relative to the lengths
+    { "ScalarStep",
+      [](const FunctionCase& c, const glm::dvec4&) { return double(glm::length(c.Normal) * glm::length(c.P)); },
+      4.0, 8.0 },
+    { "LightSide", one, 8.0, 16.0 },
+    { "TransmittedLight", [](const FunctionCase& c, const glm::dvec4&) { return 1.0 + c.P.x; }, 4.0, 16.0 },
+    // the exponential takes the rounding of what is left of the peak
+    { "TransmittedShare",
+      [](const FunctionCase& c, const glm::dvec4& value) { return value.x * (1.0 + c.P.x + c.P.y); }, 100.0,
+      400.0 },
+    { "CrossesIsovalue, CrossingFraction", one, 4.0, 8.0 },
+    { "TableCoordinate", one, 4.0, 8.0 },
   };
   return functions;
 }
@@ -141,6 +161,9 @@ public:
     this->AddScalars();
     this->AddReflectance();
     this->AddFrames();
+    this->AddOpacitiesInDataSpace();
+    this->AddSurfacesInDataSpace();
+    this->AddTransmission();
   }
 
   std::vector<FunctionCase> Cases;
@@ -341,6 +364,95 @@ private:
     }
   }
 
+  void AddOpacitiesInDataSpace()
+  {
+    std::vector<double> depths = Powers(1e-30, 1e30, 100);
+    depths.insert(depths.end(), { 0.0, 0.0099999, 0.01, 0.0100001, 16.0, 36.0, 103.0, 745.0 });
+    for (double depth : depths)
+    {
+      this->Add(23, depth);
+      for (double step : { 0.0, 1e-6, 1e-3, 1.0, 1e6 })
+      {
+        this->Add(24, depth, step);
+        for (double gradient : { 0.0, 1e-7, 0.5, 1e3 })
+        {
+          this->Add(26, depth, step, gradient);
+          this->Add(27, depth, step, gradient);
+        }
+      }
+    }
+    std::vector<double> opacities = Powers(1e-20, 0.99, 40);
+    opacities.insert(opacities.end(), { 0.0, 0.0099999, 0.01, 0.999, 0.99999994, 1.0 });
+    for (double opacity : opacities)
+    {
+      for (double cosine : { 0.0, 1e-30, 1e-6, -1e-3, 0.1, -0.5, 1.0 })
+      {
+        this->Add(25, opacity, std::abs(cosine) * 1e3);
+        this->Add(28, opacity, cosine);
+        this->Add(29, opacity, cosine);
+      }
+    }
+  }
+
+  void AddSurfacesInDataSpace()
+  {
+    for (double from : { -1e30, -1.0, 0.0, 1e-30, 0.3, 0.5, 1.0, 1e30 })
+    {
+      for (double to : { -1e30, -1.0, 0.0, 1e-30, 0.3, 0.5, 1.0, 1e30 })
+      {
+        for (double isovalue : { -1.0, 0.0, 5e-31, 0.3, 0.4, 1.0 })
+        {
+          this->Add(34, from, to, isovalue);
+        }
+      }
+      for (double entries : { 2.0, 256.0, 4096.0 })
+      {
+        this->Add(35, from, entries);
+      }
+    }
+    for (int i = 0; i < 100; ++i)
+    {
+      FunctionCase c;
+      c.Function = 30;
+      c.Normal = glm::vec3(this->Random.OnSphere() * std::pow(10.0, this->Random.Uniform(-12.0, 12.0)));
+      c.P = glm::vec3(this->Random.OnSphere() * std::pow(10.0, this->Random.Uniform(-12.0, 12.0)));
+      this->Cases.push_back(c);
+    }
+  }
+
+  // Cosines above 1e-4: the product of two smaller ones has a side by rounding.
+  void AddTransmission()
+  {
+    for (int i = 0; i < 300; ++i)
+    {
+      FunctionCase c;
+      const glm::dvec3 normal = i % 10 == 0 ? glm::dvec3(0.0) : this->Random.OnSphere();
+      const glm::dvec3 around = i % 10 == 0 ? this->Random.OnSphere() : normal;
+      c.Normal = glm::vec3(normal);
+      c.ToLight = glm::vec3(this->Random.Above(around, 1e-4));
+      c.ToViewer = glm::vec3(this->Random.Above(around, 1e-4) * (i % 3 == 0 ? 1.0 : -1.0));
+      c.ToViewer = i % 3 == 1 ? -c.ToLight : c.ToViewer;
+      c.Function = 31;
+      this->Cases.push_back(c);
+      c.Function = 32;
+      for (double exponent : { 0.01, 1.0, 30.0, 1e5 })
+      {
+        c.P = glm::vec3(exponent, 0.0, 0.0);
+        this->Cases.push_back(c);
+      }
+    }
+    for (double segment : { 0.0, 1e-30, 1e-3, 0.01, 0.7, 20.0, 100.0, 1e30 })
+    {
+      for (double behind : { 0.0, 1e-3, 1.0, 50.0, 1e30 })
+      {
+        for (double peak : { 0.0, 1e-20, 0.5, 3.0, 1e30 })
+        {
+          this->Add(33, segment, behind, peak);
+        }
+      }
+    }
+  }
+
   RandomDirections Random{ 10 };
 };
 
@@ -394,8 +506,8 @@ private:
     return text + ')';
   }
 
-  std::array<double, 23> Worst{};
-  std::array<int, 23> Count{};
+  std::vector<double> Worst = std::vector<double>(TestedFunctions().size());
+  std::vector<int> Count = std::vector<int>(TestedFunctions().size());
 };
 }
 
