@@ -49,7 +49,9 @@ void DrawSections(GalleryContents& contents, GalleryStudio& studio)
     for (const GalleryPicture& picture : section.Pictures)
     {
       drawing.Update(contents.Results.size() / count, section.Title + ": " + picture.Title);
-      contents.Results[picture.Name] = studio.Draw(picture.Name, picture.Field, picture.Settings);
+      contents.Results[picture.Name] = section.HasScores
+        ? studio.Draw(picture.Name, picture.Field, picture.Settings)
+        : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
     }
     drawing.Line(section.Title);
   }

@@ -140,10 +140,10 @@ bool IsIntegrationKey(const std::string& key)
 void CheckIntegration(const IntegrationSettings& settings, bool shade)
 {
   const bool needsDataSpace = !settings.Isosurfaces.empty() || settings.Silhouette != "off" ||
-    settings.TransmittedLight != "off" || settings.UnitInterval > 0.0;
+    settings.TransmittedLight != "off";
   if (needsDataSpace && settings.Space != "data")
   {
-    throw UserError("Isosurfaces, silhouettes, transmitted light and the unit interval belong to the integral "
+    throw UserError("Isosurfaces, silhouettes and transmitted light belong to the integral "
                     "in data space. Add --integration data.");
   }
   if (settings.TransmittedLight != "off" && !shade)
