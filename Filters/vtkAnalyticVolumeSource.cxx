@@ -29,7 +29,8 @@ static_assert(
 namespace
 {
 const char* const FieldNames[] = { "MarschnerLobb", "Sphere", "Ellipsoid", "Cylinder", "Torus",
-  "PackedEllipsoids", "VortexTubes", "LinearRamp", "NoisyHomogeneous", "CoulombPotential", "CoulombPotentials", "HydrogenOrbital", "Buckyball" };
+  "PackedEllipsoids", "VortexTubes", "LinearRamp", "NoisyHomogeneous", "CoulombPotential",
+  "CoulombPotentials", "HydrogenOrbital", "Buckyball" };
 
 // Progress and abort are looked at this many times.
 const vtkIdType NumberOfPortions = 32;

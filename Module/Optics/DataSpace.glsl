@@ -102,7 +102,7 @@ float TransmittedShare(float segmentDepth, float depthBehind, float peakDepth)
 {
   float left = segmentDepth + depthBehind;
   float whole = max(peakDepth, left);
-  return exp(-min(left, LargestDepth)) * OpacityOverDepth(whole) / OpacityOverDepth(segmentDepth);
+  return exp(-min(left, LargestDepth)) * (OpacityOverDepth(whole) / OpacityOverDepth(segmentDepth));
 }
 
 // Whether a segment crosses an isovalue: the front is below it and the back is not, or the other way.

@@ -85,8 +85,7 @@ void TestClosedValues()
   const AnalyticField weakCharge(analytic::CoulombPotentialField, weak);
   check.That(near(charge.Value({ 0.0, 0.0, 0.0 }), 1.0), "the charge");
   check.That(near(charge.Value({ 0.0, 0.0, 0.2 * std::sqrt(3.0) }), 0.5), "one half near the charge");
-  check.That(
-    near(charge.Value({ 0.4, -0.8, 0.2 }), weakCharge.Value({ 0.1, -0.2, 0.05 })), "a scaled copy");
+  check.That(near(charge.Value({ 0.4, -0.8, 0.2 }), weakCharge.Value({ 0.1, -0.2, 0.05 })), "a scaled copy");
   const AnalyticField orbital(analytic::HydrogenOrbitalField);
   check.That(near(orbital.Value({ 0.0, 0.0, -0.5 }), 1.0), "the largest density of 3d_z2");
   check.That(near(orbital.Value({ 0.5, 0.0, 0.0 }), 0.25), "the ring has a quarter of it");

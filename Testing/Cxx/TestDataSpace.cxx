@@ -98,9 +98,10 @@ void CheckSmoothSilhouettes(Check& check)
     check.Near("a gradient less than its projection", optics::SilhouetteOpacity(mean, 0.2, 0.1),
       optics::SegmentOpacity(mean, 0.2), 0.0);
     // the ray runs along the surface
-    check.Near("no cosine", optics::SilhouetteOpacity(mean, 0.0, 0.5), optics::SegmentOpacity(mean, 0.5), 0.0);
-    check.Near("no cosine, clamped", optics::ClampedSilhouetteOpacity(mean, 0.0, 0.5), std::min(1.0, mean * 0.5),
-      Rounding);
+    check.Near(
+      "no cosine", optics::SilhouetteOpacity(mean, 0.0, 0.5), optics::SegmentOpacity(mean, 0.5), 0.0);
+    check.Near("no cosine, clamped", optics::ClampedSilhouetteOpacity(mean, 0.0, 0.5),
+      std::min(1.0, mean * 0.5), Rounding);
   }
   for (double step : { 0.0, 1e-30, 1e30 })
   {

@@ -44,7 +44,8 @@ void TestOpaque(Check& check)
   TestTable point;
   point.AddPeak(0.5, 0.1, 1.0);
   CheckEntries(check, "an opaque point", point);
-  check.Near("attenuation of an opaque point", point.Depth(0.0, 1.0), 0.2, 1.0e-6); // the integral of -ln x is 1
+  check.Near(
+    "attenuation of an opaque point", point.Depth(0.0, 1.0), 0.2, 1.0e-6); // the integral of -ln x is 1
   TestTable plateau;
   plateau.AddPeak(0.5, 0.1, 1.0);
   plateau.Opacity->AddPoint(0.52, 1.0);
@@ -148,7 +149,8 @@ void TestLargestSize(Check& check)
   t.AddPeak(0.5, 0.3, 0.9);
   vtkSMPTools::Initialize(2);
   CheckEntries(check, "the largest table", t);
-  check.Near("memory", static_cast<double>(t.Table->GetMemorySize()), 4.0 * (4.0 * 4096 * 4096 + 3.0 * 4096), 0.0);
+  check.Near(
+    "memory", static_cast<double>(t.Table->GetMemorySize()), 4.0 * (4.0 * 4096 * 4096 + 3.0 * 4096), 0.0);
   t.Table->SetSegmentLength(1.0);
   t.Table->SetSize(2);
   CheckEntries(check, "the smallest table", t);
@@ -167,7 +169,8 @@ void TestErrors(Check& check)
   };
   refuses("color function has no node", "an empty colour function");
   t.AddPeak(0.5, 0.2, 0.5);
-  for (double end : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  for (double end :
+    { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
     t.Table->SetRange(0.0, end);
     refuses("not valid", "a range to " + std::to_string(end));

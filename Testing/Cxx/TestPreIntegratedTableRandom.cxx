@@ -26,8 +26,8 @@ bool MakeFunctions(RandomDirections& random, TestTable& t)
     const bool isSharp = hasCurves && random.Uniform() < 0.4;
     const double midpoint = isSharp ? random.Uniform(0.1, 0.9) : 0.5;
     t.Opacity->AddPoint(scalar, opacity, midpoint, isSharp ? random.Uniform() : 0.0);
-    t.Color->AddRGBPoint(scalar + random.Uniform(-0.05, 0.05), random.Uniform(), random.Uniform(),
-      random.Uniform());
+    t.Color->AddRGBPoint(
+      scalar + random.Uniform(-0.05, 0.05), random.Uniform(), random.Uniform(), random.Uniform());
   }
   t.Table->SetUnitInterval(std::pow(10.0, random.Uniform(-8.0, 1.0)));
   return hasCurves;

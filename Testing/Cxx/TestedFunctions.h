@@ -139,7 +139,9 @@ const std::vector<TestedFunction>& TestedFunctions()
     { "ClampedSurfaceOpacity", relative, 2.0, 4.0 },
     // a sum of three: relative to the lengths
     { "ScalarStep",
-      [](const FunctionCase& c, const glm::dvec4&) { return double(glm::length(c.Normal) * glm::length(c.P)); },
+      [](const FunctionCase& c, const glm::dvec4&) {
+        return double(glm::length(c.Normal) * glm::length(c.P));
+      },
       4.0, 8.0 },
     { "LightSide", one, 8.0, 16.0 },
     { "TransmittedLight", [](const FunctionCase& c, const glm::dvec4&) { return 1.0 + c.P.x; }, 4.0, 16.0 },

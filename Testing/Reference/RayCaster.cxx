@@ -4,6 +4,7 @@
 #include "RayCaster.h"
 
 #include "Optics.h"
+#include "SegmentRay.h"
 #include "Shading.h"
 
 #include "vtkDataArray.h"
@@ -19,9 +20,6 @@ namespace reference
 {
 namespace
 {
-// As VTK's shader.
-const double EarlyTerminationOpacity = 1.0 - 1.0 / 255.0;
-
 Vector Unproject(const Camera& camera, double x, double y, double depth)
 {
   const glm::dvec4 device(2.0 * x / camera.width - 1.0, 2.0 * y / camera.height - 1.0, depth, 1.0);
@@ -72,6 +70,10 @@ Ray RayThrough(const Scene& scene, double x, double y)
 // sample in any case. A sample on the far face belongs to the ray, whatever rounding says.
 glm::dvec4 IntegrateRay(const Scene& scene, const Ray& ray)
 {
+  if (GoesBySegments(scene))
+  {
+    return IntegrateSegments(scene, ray);
+  }
   glm::dvec4 sum(0.0);
   if (ray.inside.entry >= ray.inside.exit)
   {

@@ -16,6 +16,9 @@ class vtkImageData;
 
 namespace reference
 {
+// As VTK's shader.
+constexpr double EarlyTerminationOpacity = 1.0 - 1.0 / 255.0;
+
 // Associated colour and opacity, unclamped; row 0 is the lowest, as in VTK.
 struct Image
 {

@@ -78,6 +78,29 @@ Light LightOf(vtkLight* source, const glm::dmat4& worldToDataset)
   return light;
 }
 
+void CopyDataSpace(vtkOpticsVolumeProperty* optics, Scene& scene)
+{
+  scene.integrationSpace = static_cast<IntegrationSpace>(optics->GetIntegrationSpace());
+  scene.classification = static_cast<Classification>(optics->GetClassification());
+  scene.unitInterval = optics->GetScalarOpacityUnitInterval();
+  scene.silhouette = static_cast<Silhouette>(optics->GetSilhouette());
+  scene.transmittedLight = static_cast<TransmittedLight>(optics->GetTransmittedLight());
+  for (int i = 0; i < optics->GetNumberOfIsosurfaces(); ++i)
+  {
+    Isosurface surface;
+    surface.value = optics->GetIsosurfaceValue(i);
+    surface.opacity = optics->GetIsosurfaceOpacity(i);
+    surface.color = scene.Color(surface.value);
+    if (optics->GetIsosurfaceHasColor(i))
+    {
+      double rgb[3];
+      optics->GetIsosurfaceColor(i, rgb);
+      surface.color = Vector(rgb[0], rgb[1], rgb[2]);
+    }
+    scene.isosurfaces.push_back(surface);
+  }
+}
+
 void CopyProperty(vtkVolumeProperty* property, Scene& scene)
 {
   scene.opacity = property->GetScalarOpacity();
@@ -109,6 +132,7 @@ void CopyProperty(vtkVolumeProperty* property, Scene& scene)
     scene.anisotropyScale = optics->GetAnisotropyScale();
     scene.scatteringAnisotropy = optics->GetScatteringAnisotropy();
     scene.specularFromExtinction = optics->GetSpecularFromExtinction();
+    CopyDataSpace(optics, scene);
   }
 }
 }
@@ -119,6 +143,19 @@ Vector Scene::Color(double scalar) const
   double rgb[3];
   this->color->GetColor(scalar, rgb);
   return Vector(rgb[0], rgb[1], rgb[2]);
+}
+
+//------------------------------------------------------------------------------
+double Scene::RangeOfOpacity() const
+{
+  const double* range = this->opacity->GetRange();
+  return range[1] > range[0] ? range[1] - range[0] : 1.0;
+}
+
+//------------------------------------------------------------------------------
+double Scene::EffectiveUnitInterval() const
+{
+  return this->unitInterval > 0.0 ? this->unitInterval : this->RangeOfOpacity() / 100.0;
 }
 
 //------------------------------------------------------------------------------

@@ -41,6 +41,39 @@ enum class GradientEstimate
   CentralDifferences // of the classified optical depth over one voxel, [Ament2015]'s way
 };
 
+// As vtkOpticsVolumeProperty's choices of these names.
+enum class IntegrationSpace
+{
+  Physical = 0,
+  Data
+};
+enum class Classification
+{
+  Post = 0,
+  PreIntegrated // by quadrature between two samples, without a table
+};
+enum class Silhouette
+{
+  Off = 0,
+  Exact,
+  Clamped,
+  Gradient
+};
+enum class TransmittedLight
+{
+  Off = 0,
+  Diffuse,
+  DiffuseAndSpecular
+};
+
+// Infinitely thin: a ray meets it where the field has this value.
+struct Isosurface
+{
+  double value = 0.0;
+  Vector color = Vector(1.0);
+  double opacity = 0.5;
+};
+
 struct Light
 {
   bool positional = false;
@@ -91,11 +124,23 @@ struct Scene
   bool specularFromExtinction = true;
   GradientEstimate gradientEstimate = GradientEstimate::StoredNormal;
 
+  IntegrationSpace integrationSpace = IntegrationSpace::Physical;
+  Classification classification = Classification::Post;
+  double unitInterval = 0.0; // of data, that opacities belong to; 0: a hundredth of the function's range
+  std::vector<Isosurface> isosurfaces;
+  Silhouette silhouette = Silhouette::Off; // of surfaces, and of everything in data space
+  TransmittedLight transmittedLight = TransmittedLight::Off;
+
   double step = 1.0;
   // Where the first sample lies, in steps behind the entry: 1 as VTK, 0.5 for the midpoint rule.
   double firstSample = 1.0;
   bool terminatesEarly = true; // at an opacity of 1 - 1/255, as VTK
+  // Above 0: where the integral goes by segments, each is halved until the field in its middle is the mean of
+  // its ends up to this fraction of the opacity function's range. Pre-integrated, that is the truth.
+  double linearity = 0.0;
 
+  double RangeOfOpacity() const; // of the function's nodes; 1 if it has only one
+  double EffectiveUnitInterval() const;
   double Opacity(double scalar) const { return this->opacity->GetValue(scalar); }
   Vector Color(double scalar) const;
 };

@@ -44,6 +44,34 @@ Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector
   return result;
 }
 
+// By the scalar's own normal: its sign does not matter.
+bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& gradient, const Vector& toLight)
+{
+  return scene.transmittedLight != TransmittedLight::Off &&
+    optics::LightSide(gradient, toLight, sample.toViewer) < 0.0;
+}
+
+// The paper's exponent of specular reflection is VTK's specular power.
+Vector Transmitted(const Scene& scene, const Sample& sample)
+{
+  Vector sum(0.0);
+  const Vector gradient = scene.field->Gradient(sample.position);
+  const double length = glm::length(gradient);
+  if (scene.transmittedLight == TransmittedLight::Off || !(length > 0.0))
+  {
+    return sum;
+  }
+  for (const Light& light : scene.lights)
+  {
+    const Illumination illumination = IlluminationAt(scene, light, sample.position);
+    const glm::dvec2 through =
+      optics::TransmittedLight(gradient / length, illumination.toLight, sample.toViewer, scene.specularPower);
+    const double specular = scene.transmittedLight == TransmittedLight::DiffuseAndSpecular ? through.y : 0.0;
+    sum += illumination.factor * (through.x + specular) * light.diffuse;
+  }
+  return sum;
+}
+
 double DepthOf(const Scene& scene, double scalar)
 {
   return optics::BoundedOpticalDepth(scene.Opacity(scalar));
@@ -86,6 +114,10 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-6);
     ambient += light.ambient;
+    if (IsTransmitted(scene, sample, gradient, illumination.toLight))
+    {
+      continue;
+    }
     diffuse +=
       illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) * light.diffuse;
     const double facing = Facing(cosHalf, scene.twoSided);
@@ -109,7 +141,7 @@ optics::AnisotropyFrame FrameAround(const Vector& normal, const Frame& stored)
 }
 
 // f_s max(N.L, 0) of the chosen model.
-double Reflected(const Scene& scene, const ExtinctionGradient& extinction, Vector normal,
+double ReflectedBy(const Scene& scene, const ExtinctionGradient& extinction, Vector normal,
   const Vector& toLight, const Vector& toViewer)
 {
   if (scene.twoSided && glm::dot(normal, toLight) < 0.0)
@@ -167,6 +199,14 @@ ExtinctionGradient FromCentralDifferences(const Scene& scene, const Sample& samp
 //------------------------------------------------------------------------------
 ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample)
 {
+  if (sample.isSurface)
+  {
+    ExtinctionGradient surface;
+    surface.frame = scene.frames->At(sample.position);
+    surface.normal = surface.frame.normal;
+    surface.coefficient = 1.0;
+    return surface;
+  }
   ExtinctionGradient result = scene.gradientEstimate == GradientEstimate::StoredNormal
     ? FromStoredNormal(scene, sample)
     : FromCentralDifferences(scene, sample);
@@ -177,14 +217,11 @@ ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample
   return result;
 }
 
-//------------------------------------------------------------------------------
-Vector Radiance(const Scene& scene, const Sample& sample)
+namespace
 {
-  const Vector color = scene.Color(sample.scalar);
-  if (!scene.shade)
-  {
-    return color;
-  }
+// Ambient and reflected light.
+Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
+{
   if (scene.reflectance == Reflectance::VTK)
   {
     const bool isHeadlight =
@@ -196,11 +233,16 @@ Vector Radiance(const Scene& scene, const Sample& sample)
   {
     extinction = ExtinctionGradientAt(scene, sample);
   }
+  const Vector gradient = scene.field->Gradient(sample.position);
   Vector diffuse(0.0);
   Vector specular(0.0);
   for (const Light& light : scene.lights)
   {
     const Illumination illumination = IlluminationAt(scene, light, sample.position);
+    if (IsTransmitted(scene, sample, gradient, illumination.toLight))
+    {
+      continue;
+    }
     const double cosTheta = -glm::dot(illumination.toLight, sample.toViewer);
     diffuse +=
       illumination.factor * optics::HenyeyGreenstein(scene.scatteringAnisotropy, cosTheta) * light.diffuse;
@@ -208,10 +250,30 @@ Vector Radiance(const Scene& scene, const Sample& sample)
     if (extinction.coefficient > 0.0 && extinction.normal != Vector(0.0))
     {
       specular += illumination.factor * extinction.coefficient *
-        Reflected(scene, extinction, extinction.normal, illumination.toLight, sample.toViewer) *
+        ReflectedBy(scene, extinction, extinction.normal, illumination.toLight, sample.toViewer) *
         light.specular;
     }
   }
   return color * (scene.ambient + scene.diffuse * diffuse) + scene.specular * specular;
+}
+}
+
+//------------------------------------------------------------------------------
+Vector Radiance(const Scene& scene, const Sample& sample)
+{
+  return Radiance(scene, sample, scene.Color(sample.scalar), 0.0);
+}
+
+//------------------------------------------------------------------------------
+Vector Radiance(const Scene& scene, const Sample& sample, const Vector& color, double transmittedShare)
+{
+  if (!scene.shade)
+  {
+    return color;
+  }
+  const Vector through = transmittedShare > 0.0
+    ? color * (scene.diffuse * transmittedShare * Transmitted(scene, sample))
+    : Vector(0.0);
+  return Reflected(scene, sample, color) + through;
 }
 }

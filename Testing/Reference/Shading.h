@@ -16,6 +16,7 @@ struct Sample
   Vector entry;    // of the ray into the volume
   Vector toViewer; // unit
   double scalar = 0.0;
+  bool isSurface = false; // of an isosurface: it has the scalar's normal, and a specular coefficient of 1
 };
 
 // The gradient of the classified extinction: direction -grad(sigma)/|grad(sigma)| (unit, or 0) and the
@@ -30,6 +31,10 @@ ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample
 
 // Not multiplied by the sample's opacity.
 Vector Radiance(const Scene& scene, const Sample& sample);
+
+// Of a sample with this colour, that lets through this share of the light from behind, [Kraus2005] eq. 19.
+// With transmitted light on, a light behind the surface is transmitted and not reflected.
+Vector Radiance(const Scene& scene, const Sample& sample, const Vector& color, double transmittedShare);
 }
 
 #endif

@@ -135,4 +135,36 @@ SegmentIntegral TransferIntegral::Between(double front, double back, double atte
   }
   return sum;
 }
+
+//------------------------------------------------------------------------------
+// Just below and just above, for the functions may jump.
+bool TransferIntegral::IsTransparentAt(double scalar) const
+{
+  const double aside = 1.0e-12 * (this->Nodes.back() - this->Nodes.front());
+  return std::min(this->Opacity->GetValue(scalar - aside), this->Opacity->GetValue(scalar + aside)) <= 1.0e-9;
+}
+
+//------------------------------------------------------------------------------
+double TransferIntegral::DepthToEnd(double scalar, bool isUpward) const
+{
+  std::vector<double> ahead;
+  for (double node : this->Nodes)
+  {
+    if (isUpward ? node > scalar : node < scalar)
+    {
+      ahead.push_back(node);
+    }
+  }
+  if (!isUpward)
+  {
+    std::reverse(ahead.begin(), ahead.end());
+  }
+  const auto end =
+    std::find_if(ahead.begin(), ahead.end(), [this](double node) { return this->IsTransparentAt(node); });
+  if (ahead.empty())
+  {
+    return 0.0;
+  }
+  return this->Between(scalar, end == ahead.end() ? ahead.back() : *end, 1.0).depth;
+}
 }

@@ -40,9 +40,15 @@ public:
   // A scalar that stays the same over an optical path of this length.
   SegmentIntegral At(double scalar, double length) const;
 
+  // Optical depth from a scalar, upwards or downwards, to where its peak ends: the next node at which the
+  // opacity is 0, or the last one. For an attenuation of 1.
+  double DepthToEnd(double scalar, bool isUpward) const;
+
 private:
+  bool IsTransparentAt(double scalar) const;
   SegmentIntegral Slab(double front, double back, double attenuation) const;
-  SegmentIntegral Refined(double front, double back, double attenuation, const SegmentIntegral& whole, int levels) const;
+  SegmentIntegral Refined(
+    double front, double back, double attenuation, const SegmentIntegral& whole, int levels) const;
 
   vtkPiecewiseFunction* Opacity;
   vtkColorTransferFunction* Color;
