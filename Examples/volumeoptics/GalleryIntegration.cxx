@@ -188,8 +188,9 @@ GallerySection LimitSection()
     }
     const std::string number = std::to_string(count);
     section.Pictures.push_back({ "limit-" + number, number + " isosurfaces", "coulomb", some,
-      count == 4 ? "Shells with steps between them."
-                 : count == 16 ? "The steps get finer." : "The steps are hardly seen." });
+      count == 4      ? "Shells with steps between them."
+        : count == 16 ? "The steps get finer."
+                      : "The steps are hardly seen." });
   }
   settings.Function.Opacity = { { 0.0, 1.0 - transparency }, { 1.0, 1.0 - transparency } };
   settings.Function.Integration.UnitInterval = 1.0;
@@ -200,7 +201,8 @@ GallerySection LimitSection()
 GallerySection LightSection()
 {
   GallerySection section{ "Light from behind",
-    "After Fig. 6: translucent surfaces with the light before and behind them. Without transmission the light "
+    "After Fig. 6: translucent surfaces with the light before and behind them. Without transmission the "
+    "light "
     "behind is lost, but for the inner sides that reflect it. Diffuse transmission lights the surface as far "
     "as it is translucent; specular transmission shows where the light is.",
     4, {}, false };
@@ -233,8 +235,7 @@ GallerySection SilhouetteSection()
   const Isosurfaces surfaces = { { 0.26, 0.1, 0.3, 0.85, 0.3 }, { 0.46, 0.9, 0.15, 0.1, 0.6 } };
   const PictureSettings settings = Base(CoulombView);
   const auto add = [&](const char* silhouette, const char* title, const char* caption) {
-    GalleryPicture picture =
-      ScaleInvariant("silhouette", "coulomb", settings, surfaces, silhouette, caption);
+    GalleryPicture picture = ScaleInvariant("silhouette", "coulomb", settings, surfaces, silhouette, caption);
     picture.Title = title;
     section.Pictures.push_back(picture);
   };
@@ -247,7 +248,8 @@ GallerySection SilhouetteSection()
 GallerySection TetrahedraSection()
 {
   GallerySection section{ "148,955 tetrahedra",
-    "After Fig. 8e and f: a field like that of the bucky ball on 32^3 points, cut into tetrahedra and drawn by "
+    "After Fig. 8e and f: a field like that of the bucky ball on 32^3 points, cut into tetrahedra and drawn "
+    "by "
     "projection. In data space a table of two dimensions holds all that a cell can show.",
     3, {}, false };
   PictureSettings settings = Base({ 20.0, 25.0, 1.5 });
@@ -262,7 +264,8 @@ GallerySection TetrahedraSection()
   outlined.Function.Integration.Silhouette = "exact";
   section.Pictures = { { "tetrahedra-standard", "VTK's projected tetrahedra", "bucky-tetrahedra", settings,
                          "Opacity per length: a fog around the atoms." },
-    { "tetrahedra-data", "Scale-invariant", "bucky-tetrahedra", data, "Opacity per difference of the field." },
+    { "tetrahedra-data", "Scale-invariant", "bucky-tetrahedra", data,
+      "Opacity per difference of the field." },
     { "tetrahedra-data-exact", "Scale-invariant, silhouettes", "bucky-tetrahedra", outlined,
       "Atoms and bonds get outlines." } };
   return section;

@@ -73,7 +73,8 @@ void PutPicture(std::ostream& page, const GalleryPicture& picture, const Picture
   page << "<figure><a href=\"" << result.File << "\"><img" << (isEnlarged ? " class=\"enlarged\"" : "")
        << " src=\"" << result.File << "\" alt=\"" << picture.Title
        << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
-       << (picture.Caption.empty() ? SettingsText(picture.Settings) : picture.Caption) << "<br>frame " << TimeText(result.FrameSeconds);
+       << (picture.Caption.empty() ? SettingsText(picture.Settings) : picture.Caption) << "<br>frame "
+       << TimeText(result.FrameSeconds);
   if (result.PreparationSeconds > 0.0)
   {
     page << ", normals and covariance " << TimeText(result.PreparationSeconds);
@@ -154,7 +155,8 @@ void WriteGalleryPage(const std::string& folder, const GalleryContents& contents
   page << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>VolumeOptics "
           "gallery</title>\n"
        << "<meta name=\"viewport\" content=\"width=device-width\">\n<style>" << Style
-       << "</style></head><body>\n<h1>VolumeOptics</h1>\n<p>Optical models for volumes: anisotropic ambient shading, and scale-invariant volume rendering. "
+       << "</style></head><body>\n<h1>VolumeOptics</h1>\n<p>Optical models for volumes: anisotropic ambient "
+          "shading, and scale-invariant volume rendering. "
        << "Rendered on " << contents.Renderer << ".</p>\n<nav>";
   for (std::size_t i = 0; i < contents.Sections.size(); ++i)
   {

@@ -142,8 +142,7 @@ const reference::Image& IntegrationBench::Truth(const BenchFunction& function, c
   return this->Truths.emplace(function.Name + space, reference::Render(exact)).first->second;
 }
 
-double IntegrationBench::TableSeconds(
-  const BenchFunction& function, const std::string& space, int size) const
+double IntegrationBench::TableSeconds(const BenchFunction& function, const std::string& space, int size) const
 {
   vtkNew<vtkOpticsVolumeProperty> property;
   Apply(function.Function, property);
@@ -165,31 +164,17 @@ double IntegrationBench::TableSeconds(
   return Median(seconds);
 }
 
-BenchFrame IntegrationBench::Judge(
-  VolumeScene& scene, const BenchFunction& function, const std::string& space, double step)
+BenchFrame IntegrationBench::Judge(const BenchFunction& function, const std::string& space,
+  const std::string& classification, double step, const BenchTable& table)
 {
-  const reference::Difference error =
-    reference::Compare(this->Truth(function, space), scene.Capture());
+  const reference::Image& truth = this->Truth(function, space);
+  VolumeScene& scene = this->Stage(function, space, classification, step, table);
+  scene.Render();
+  const reference::Difference error = reference::Compare(truth, scene.Capture());
   BenchFrame frame;
   frame.Step = step;
   frame.RootMeanSquare = error.rootMeanSquare;
   frame.Maximum = error.maximum;
-  return frame;
-}
-
-BenchFrame IntegrationBench::Measure(const BenchFunction& function, const std::string& space,
-  const std::string& classification, double step, const BenchTable& table)
-{
-  this->Truth(function, space);
-  VolumeScene& scene = this->Stage(function, space, classification, step, table);
-  scene.Render();
-  BenchFrame frame = this->Judge(scene, function, space, step);
-  std::vector<double> seconds;
-  for (int i = 0; i < (step < FineStep ? 1 : 3); ++i)
-  {
-    seconds.push_back(this->FrameSeconds(scene));
-  }
-  frame.FrameSeconds = Median(seconds);
   if (classification == "pre-integrated")
   {
     frame.TableSeconds = this->TableSeconds(function, space, table.Size);
@@ -198,20 +183,29 @@ BenchFrame IntegrationBench::Measure(const BenchFunction& function, const std::s
   return frame;
 }
 
+BenchFrame IntegrationBench::Measure(const BenchFunction& function, const std::string& space,
+  const std::string& classification, double step, const BenchTable& table)
+{
+  BenchFrame frame = this->Judge(function, space, classification, step, table);
+  std::vector<double> seconds;
+  for (int i = 0; i < (step < FineStep ? 1 : 3); ++i)
+  {
+    seconds.push_back(this->FrameSeconds(*this->Scenes[space + classification]));
+  }
+  frame.FrameSeconds = Median(seconds);
+  return frame;
+}
+
 std::pair<BenchFrame, BenchFrame> IntegrationBench::MeasurePair(
   const BenchFunction& function, const std::string& space, double step)
 {
-  BenchFrame post = this->Measure(function, space, "post", step);
-  BenchFrame pre = this->Measure(function, space, "pre-integrated", step);
-  VolumeScene& postScene = this->Stage(function, space, "post", step, {});
-  VolumeScene& preScene = this->Stage(function, space, "pre-integrated", step, {});
-  postScene.Render();
-  preScene.Render();
+  BenchFrame post = this->Judge(function, space, "post", step, {});
+  BenchFrame pre = this->Judge(function, space, "pre-integrated", step, {});
   std::vector<double> postSeconds, preSeconds;
   for (int i = 0; i < 5; ++i)
   {
-    postSeconds.push_back(this->FrameSeconds(postScene));
-    preSeconds.push_back(this->FrameSeconds(preScene));
+    postSeconds.push_back(this->FrameSeconds(*this->Scenes[space + "post"]));
+    preSeconds.push_back(this->FrameSeconds(*this->Scenes[space + "pre-integrated"]));
   }
   post.FrameSeconds = Median(postSeconds);
   pre.FrameSeconds = Median(preSeconds);

@@ -69,8 +69,9 @@ private:
   VolumeScene& Stage(const BenchFunction& function, const std::string& space,
     const std::string& classification, double step, const BenchTable& table);
   const reference::Image& Truth(const BenchFunction& function, const std::string& space);
-  BenchFrame Judge(
-    VolumeScene& scene, const BenchFunction& function, const std::string& space, double step);
+  // All but the time of the frame.
+  BenchFrame Judge(const BenchFunction& function, const std::string& space, const std::string& classification,
+    double step, const BenchTable& table);
   double Now() const;
   double FrameSeconds(VolumeScene& scene) const;
   double TableSeconds(const BenchFunction& function, const std::string& space, int size) const;

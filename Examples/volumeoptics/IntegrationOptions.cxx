@@ -32,9 +32,8 @@ std::vector<double> ReadIsosurface(const std::string& text)
 
 const CLI::Validator IsIsosurface(
   [](const std::string& text) {
-    return !ReadIsosurface(text).empty()
-      ? std::string()
-      : "'" + text +
+    return !ReadIsosurface(text).empty() ? std::string()
+                                         : "'" + text +
         "' is neither VALUE,OPACITY nor VALUE,R,G,B,OPACITY with opacity and colour in [0, 1], e.g. "
         "300,0.9,0.8,0.7,0.5";
   },

@@ -48,17 +48,16 @@ void CheckName(const Choice& choice, const IntegrationSettings& settings)
   const std::string& name = settings.*choice.Value;
   if (IndexOf(name, choice.Names()) == static_cast<int>(choice.Names().size()))
   {
-    throw UserError(
-      std::string(choice.Key) + " '" + name + "' is none of " + Joined(choice.Names()));
+    throw UserError(std::string(choice.Key) + " '" + name + "' is none of " + Joined(choice.Names()));
   }
 }
 
 void CheckIsosurface(const std::vector<double>& surface)
 {
-  const bool isFinite = std::all_of(surface.begin(), surface.end(), [](double x) { return std::isfinite(x); });
-  const bool isInRange = std::all_of(
-    surface.begin() + std::min<std::size_t>(surface.size(), 1), surface.end(),
-    [](double x) { return x >= 0.0 && x <= 1.0; });
+  const bool isFinite =
+    std::all_of(surface.begin(), surface.end(), [](double x) { return std::isfinite(x); });
+  const bool isInRange = std::all_of(surface.begin() + std::min<std::size_t>(surface.size(), 1),
+    surface.end(), [](double x) { return x >= 0.0 && x <= 1.0; });
   if ((surface.size() != 2 && surface.size() != 5) || !isFinite || !isInRange)
   {
     throw UserError("an isosurface is VALUE,OPACITY or VALUE,R,G,B,OPACITY, opacity and colour in [0, 1]");
@@ -134,13 +133,14 @@ IntegrationSettings GetIntegration(const json& object)
 bool IsIntegrationKey(const std::string& key)
 {
   return key == UnitIntervalKey || key == IsosurfacesKey ||
-    std::any_of(std::begin(Choices), std::end(Choices), [&](const Choice& choice) { return key == choice.Key; });
+    std::any_of(
+      std::begin(Choices), std::end(Choices), [&](const Choice& choice) { return key == choice.Key; });
 }
 
 void CheckIntegration(const IntegrationSettings& settings, bool shade)
 {
-  const bool needsDataSpace = !settings.Isosurfaces.empty() || settings.Silhouette != "off" ||
-    settings.TransmittedLight != "off";
+  const bool needsDataSpace =
+    !settings.Isosurfaces.empty() || settings.Silhouette != "off" || settings.TransmittedLight != "off";
   if (needsDataSpace && settings.Space != "data")
   {
     throw UserError("Isosurfaces, silhouettes and transmitted light belong to the integral "

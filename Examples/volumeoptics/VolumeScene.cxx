@@ -129,12 +129,12 @@ void VolumeScene::ApplyMapper(const IntegrationSettings& integration)
     return;
   }
   const bool inDataSpace = integration.Space == "data";
-  if (!this->Tetrahedra || inDataSpace != (this->Tetrahedra->IsA("vtkDataSpaceProjectedTetrahedraMapper") != 0))
+  if (!this->Tetrahedra ||
+    inDataSpace != (this->Tetrahedra->IsA("vtkDataSpaceProjectedTetrahedraMapper") != 0))
   {
-    this->Tetrahedra = inDataSpace
-      ? vtkSmartPointer<vtkProjectedTetrahedraMapper>(
-          vtkSmartPointer<vtkDataSpaceProjectedTetrahedraMapper>::New())
-      : vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
+    this->Tetrahedra = inDataSpace ? vtkSmartPointer<vtkProjectedTetrahedraMapper>(
+                                       vtkSmartPointer<vtkDataSpaceProjectedTetrahedraMapper>::New())
+                                   : vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
     this->Tetrahedra->SetInputData(this->Data.Tetrahedra);
     this->Actor->SetMapper(this->Tetrahedra);
   }
