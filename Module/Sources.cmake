@@ -45,19 +45,26 @@ set(rendering_sources
   AttenuatedStretch
   DefaultOptics
   FrameProvider
+  FrameTerm
   FrameTextures
   HeadlessContext
   HeadlessContextEGL
   HeadlessContextOSMesa
+  IntegrationTerm
+  IsosurfaceTexture
   LightUniforms
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
+  PreIntegratedTexture
   PreIntegration
+  RayUniforms
   ReflectanceTerm
-  ScalarOpacityTexture
+  SceneNeeds
   TransferFunctionStretches
+  TransferFunctionTerm
+  TransferFunctionTexture
   vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)

@@ -11,6 +11,10 @@
 #include "AnisotropyWorld.h"
 #include "CoefficientsDec.h"
 #include "CoefficientsOfProperty.h"
+#include "ColorOfFirst.h"
+#include "ColorOfSample.h"
+#include "ColorOfSegment.h"
+#include "ColorTable.h"
 #include "DataSpace.h"
 #include "DataSpaceSegment.h"
 #include "ExtinctionGradientCentral.h"
@@ -19,11 +23,19 @@
 #include "FrameInit.h"
 #include "GradientOpacityNone.h"
 #include "GradientOpacityScalar.h"
+#include "IntegralDec.h"
+#include "IntegralImpl.h"
+#include "IntegralInit.h"
+#include "IntegralRay.h"
+#include "IntegralTerminate.h"
+#include "Isosurfaces.h"
+#include "IsosurfacesNone.h"
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
+#include "NoColorTable.h"
 #include "NoNormalForCentral.h"
 #include "NormalForCentral.h"
 #include "NormalLookup.h"
@@ -45,9 +57,21 @@
 #include "ReflectanceNone.h"
 #include "ReflectanceVTK.h"
 #include "ReflectanceWard.h"
+#include "SampleScalar.h"
 #include "ScalarGradientCentral.h"
 #include "ScalarGradientStored.h"
 #include "ScatteringPhase.h"
+#include "SegmentInData.h"
+#include "SegmentInSpace.h"
+#include "SegmentOpacity.h"
+#include "SegmentPost.h"
+#include "SegmentPreIntegrated.h"
+#include "SegmentSmooth.h"
+#include "SilhouetteClamped.h"
+#include "SilhouetteExact.h"
+#include "SilhouetteGeometry.h"
+#include "SilhouetteGradient.h"
+#include "SilhouetteOff.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
@@ -66,7 +90,11 @@ struct Place
 
 const Place BaseDec = { "//VTK::Base::Dec", true };
 const Place BaseInit = { "//VTK::Base::Init", true };
-const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", false };
+const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", true };
+const Place ComputeRayDirectionDec = { "//VTK::ComputeRayDirection::Dec", true };
+const Place ShadingInit = { "//VTK::Shading::Init", true };
+const Place ShadingImpl = { "//VTK::Shading::Impl", false };
+const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
 // Places of our own, in Lighting.glsl.
 const Place SurfacePlace = { "//Optics::Surface", false };
 const Place LightPlace = { "//Optics::Light", false };
@@ -81,21 +109,22 @@ struct Row
 
 // The order of the rows is the order of the text at each place.
 const Row Table[] = {
-  { F::Reflectance, &BaseDec, RayDec },
+  { F::SampleScalar, &BaseDec, SampleScalar },
+  { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
 
-  { F::Reflectance, &BaseInit, RayInit },
+  { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
-  { F::ExtinctionSurface, &ComputeLightingDec, Opacity },
+  { F::OpacityFormulas, &ComputeLightingDec, Opacity },
   { F::ExtinctionSurface, &ComputeLightingDec, Reflectance },
   { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
   { F::FrameLookup, &ComputeLightingDec, NormalLookup },
   { F::AnisotropyMap, &ComputeLightingDec, AnisotropyMap },
   { F::AnisotropyComponents, &ComputeLightingDec, AnisotropyComponents },
   { F::AnisotropyWorld, &ComputeLightingDec, AnisotropyWorld },
-  { F::ExtinctionSurface, &ComputeLightingDec, OpacityTable },
+  { F::OpacityTable, &ComputeLightingDec, OpacityTable },
   { F::OpacityAtScalar, &ComputeLightingDec, OpacityAtScalar },
   { F::OpacityAtScalarAndGradient, &ComputeLightingDec, OpacityAtScalarAndGradient },
   { F::OpacityAt2D, &ComputeLightingDec, OpacityAt2D },
@@ -124,6 +153,31 @@ const Row Table[] = {
   { F::Reflectance, &ComputeLightingDec, CoefficientsDec },
   { F::CoefficientsOfProperty, &ComputeLightingDec, CoefficientsOfProperty },
   { F::Reflectance, &ComputeLightingDec, Lighting },
+
+  { F::Integral, &ComputeRayDirectionDec, DataSpace },
+  { F::Integral, &ComputeRayDirectionDec, IntegralDec },
+  { F::ColorTable, &ComputeRayDirectionDec, ColorTable },
+  { F::NoColorTable, &ComputeRayDirectionDec, NoColorTable },
+  { F::IntegralPost, &ComputeRayDirectionDec, SegmentPost },
+  { F::IntegralPreIntegrated, &ComputeRayDirectionDec, SegmentPreIntegrated },
+  { F::IntegralInData, &ComputeRayDirectionDec, SegmentInData },
+  { F::IntegralInSpace, &ComputeRayDirectionDec, SegmentInSpace },
+  { F::Integral, &ComputeRayDirectionDec, SegmentOpacity },
+  { F::ColorOfSegment, &ComputeRayDirectionDec, ColorOfSegment },
+  { F::ColorOfFirst, &ComputeRayDirectionDec, ColorOfFirst },
+  { F::ColorOfSample, &ComputeRayDirectionDec, ColorOfSample },
+  { F::SilhouetteOff, &ComputeRayDirectionDec, SilhouetteOff },
+  { F::SilhouetteOn, &ComputeRayDirectionDec, SilhouetteGeometry },
+  { F::SilhouetteExact, &ComputeRayDirectionDec, SilhouetteExact },
+  { F::SilhouetteClamped, &ComputeRayDirectionDec, SilhouetteClamped },
+  { F::SilhouetteGradient, &ComputeRayDirectionDec, SilhouetteGradient },
+  { F::Integral, &ComputeRayDirectionDec, SegmentSmooth },
+  { F::IsosurfacesNone, &ComputeRayDirectionDec, IsosurfacesNone },
+  { F::Isosurfaces, &ComputeRayDirectionDec, Isosurfaces },
+  { F::Integral, &ComputeRayDirectionDec, IntegralRay },
+  { F::Integral, &ShadingInit, IntegralInit },
+  { F::Integral, &ShadingImpl, IntegralImpl },
+  { F::Integral, &TerminateImpl, IntegralTerminate },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
@@ -177,23 +231,32 @@ bool Insert(std::string& fragment, const Place& place, const std::string& text)
   const std::string kept = place.KeepsVTKText ? std::string(place.Tag) + "\n" : std::string();
   return vtkShaderProgram::Substitute(fragment, place.Tag, kept + text, false);
 }
+
+// Our own lighting stands in the place of VTK's; without it what is needed there is added.
+bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
+{
+  Place place = ComputeLightingDec;
+  std::string text = TextFor(ComputeLightingDec, features);
+  if (features.Has(OpticsFeature::Reflectance))
+  {
+    place.KeepsVTKText = false;
+    text.insert(0, NumberOfLightsText(features.NumberOfLights));
+    FillOwnPlaces(text, features);
+  }
+  return Insert(fragment, place, text);
+}
 }
 
 //------------------------------------------------------------------------------
 bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features)
 {
-  if (features.IsEmpty())
+  bool found = InsertLighting(fragment, features);
+  for (const Place* place :
+    { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ShadingInit, &ShadingImpl, &TerminateImpl })
   {
-    return true;
+    found &= Insert(fragment, *place, TextFor(*place, features));
   }
-  std::string lighting = TextFor(ComputeLightingDec, features);
-  if (!lighting.empty())
-  {
-    lighting.insert(0, NumberOfLightsText(features.NumberOfLights));
-    FillOwnPlaces(lighting, features);
-  }
-  return Insert(fragment, BaseDec, TextFor(BaseDec, features)) &&
-    Insert(fragment, BaseInit, TextFor(BaseInit, features)) && Insert(fragment, ComputeLightingDec, lighting);
+  return found;
 }
 
 //------------------------------------------------------------------------------

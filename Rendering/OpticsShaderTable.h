@@ -12,6 +12,12 @@
 
 enum class OpticsFeature
 {
+  Ray,          // eye space along the ray
+  SampleScalar, // the sample's components are handed on to computeLighting()
+  OpacityTable,
+  ColorTable,
+  NoColorTable,
+  OpacityFormulas,
   Reflectance, // light is evaluated here: replaces VTK's computeLighting()
   ReflectanceVTK,
   ReflectanceNone,
@@ -41,6 +47,21 @@ enum class OpticsFeature
   GradientOpacityScalar,
   LightsDirectional,
   LightsPositional,
+  Integral, // segments are integrated here: replaces VTK's sampling of a ray
+  IntegralPost,
+  IntegralPreIntegrated,
+  IntegralInData,
+  IntegralInSpace,
+  ColorOfSegment,
+  ColorOfFirst,
+  ColorOfSample,
+  SilhouetteOff,
+  SilhouetteOn, // any but off
+  SilhouetteExact,
+  SilhouetteClamped,
+  SilhouetteGradient,
+  IsosurfacesNone,
+  Isosurfaces,
   Count
 };
 

@@ -7,34 +7,28 @@
 #ifndef ReflectanceTerm_h
 #define ReflectanceTerm_h
 
-#include "FrameProvider.h"
-#include "FrameTextures.h"
 #include "OpticsTerm.h"
-#include "ScalarOpacityTexture.h"
+
+class FrameTerm;
 
 class ReflectanceTerm : public OpticsTerm
 {
 public:
+  explicit ReflectanceTerm(const FrameTerm& frames)
+    : Frames(frames)
+  {
+  }
   const char* GetName() const override { return "Reflectance"; }
   bool IsActive(const OpticsScene& scene) override;
   bool Prepare(const OpticsScene& scene) override;
   void AddFeatures(const OpticsScene& scene, OpticsFeatures& features) override;
   void SetUniforms(const OpticsScene& scene, vtkShaderProgram* program) override;
-  void UnbindTextures() override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  std::size_t GetMemorySize() const override;
-
-  FrameProvider Frames;
+  void UnbindTextures() override {}
+  void ReleaseGraphicsResources(vtkWindow*) override {}
+  std::size_t GetMemorySize() const override { return 0; }
 
 private:
-  void AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features) const;
-  void SetGradientUniforms(const OpticsScene& scene, vtkShaderProgram* program);
-  void SetSurfaceUniforms(const OpticsScene& scene, vtkShaderProgram* program);
-  void SetExtinctionUniforms(const OpticsScene& scene, vtkShaderProgram* program);
-
-  FrameTextures Textures;
-  ScalarOpacityTexture Opacity;
-  OpticsFeature Storage = OpticsFeature::AnisotropyMap;
+  const FrameTerm& Frames;
 };
 
 #endif

@@ -4,11 +4,14 @@
 #include "vtkOpticsVolumeMapper.h"
 
 #include "DefaultOptics.h"
+#include "FrameTerm.h"
+#include "IntegrationTerm.h"
 #include "LightUniforms.h"
 #include "OpticsFactory.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
 #include "ReflectanceTerm.h"
+#include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -44,8 +47,13 @@ public:
   std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
   void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
 
-  ReflectanceTerm Reflectance;
-  std::vector<OpticsTerm*> All = { &this->Reflectance };
+  // In the order of preparation: first what others build on.
+  FrameTerm Frames;
+  TransferFunctionTerm TransferFunctions;
+  ReflectanceTerm Reflectance{ this->Frames };
+  IntegrationTerm Integration{ this->Frames };
+  std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
+    &this->Integration };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -69,12 +77,17 @@ std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const Op
     {
       term->AddFeatures(scene, features);
       active.push_back(term);
-      this->ActiveTerms += (this->ActiveTerms.empty() ? "" : ",") + std::string(term->GetName());
+      const std::string name = term->GetName();
+      this->ActiveTerms += (this->ActiveTerms.empty() || name.empty() ? "" : ",") + name;
     }
     else
     {
       term->ReleaseGraphicsResources(scene.Window);
     }
+  }
+  if (this->ActiveTerms.empty())
+  {
+    active.clear(); // what is left is only what others would have built on
   }
   this->Pass->SetFeatures(features);
   return active;
@@ -190,53 +203,74 @@ vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::GetOptics()
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetNormalsInputConnection(vtkAlgorithmOutput* output)
 {
-  this->Terms->Reflectance.Frames.NormalsInput = FrameProvider::Connection(output);
+  this->Terms->Frames.Provider.NormalsInput = FrameProvider::Connection(output);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetNormalsInputData(vtkImageData* normals)
 {
-  this->Terms->Reflectance.Frames.NormalsInput = FrameProvider::Connection(normals);
+  this->Terms->Frames.Provider.NormalsInput = FrameProvider::Connection(normals);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetAnisotropyInputConnection(vtkAlgorithmOutput* output)
 {
-  this->Terms->Reflectance.Frames.AnisotropyInput = FrameProvider::Connection(output);
+  this->Terms->Frames.Provider.AnisotropyInput = FrameProvider::Connection(output);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
 {
-  this->Terms->Reflectance.Frames.AnisotropyInput = FrameProvider::Connection(anisotropy);
+  this->Terms->Frames.Provider.AnisotropyInput = FrameProvider::Connection(anisotropy);
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
 vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
 {
-  return this->Terms->Reflectance.Frames.Sobel;
+  return this->Terms->Frames.Provider.Sobel;
 }
 
 //------------------------------------------------------------------------------
 vtkAmbientCovarianceFilter* vtkOpticsVolumeMapper::GetAmbientCovarianceFilter()
 {
-  return this->Terms->Reflectance.Frames.Covariance;
+  return this->Terms->Frames.Provider.Covariance;
 }
 
 //------------------------------------------------------------------------------
 vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter()
 {
-  return this->Terms->Reflectance.Frames.Curvature;
+  return this->Terms->Frames.Provider.Curvature;
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
 {
   volumeoptics::SetPrecision(this, "FramePrecision", bits, this->FramePrecision);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetPreIntegrationTableSize(int size)
+{
+  volumeoptics::SetWithinRange(this, "PreIntegrationTableSize", size, 2, 4096, this->PreIntegrationTableSize);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
+{
+  if (bits != 16 && bits != 32)
+  {
+    vtkWarningMacro(<< "TablePrecision " << bits << " is not set: choose 16 or 32.");
+    return;
+  }
+  if (this->TablePrecision != bits)
+  {
+    this->TablePrecision = bits;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -385,6 +419,8 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FramePrecision: " << this->FramePrecision << "\n";
   os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
   os << indent << "ScalarGradient: " << this->GetScalarGradientAsString() << "\n";
+  os << indent << "PreIntegrationTableSize: " << this->PreIntegrationTableSize << "\n";
+  os << indent << "TablePrecision: " << this->TablePrecision << "\n";
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "ActiveTerms: " << this->Terms->ActiveTerms << "\n";
   os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";

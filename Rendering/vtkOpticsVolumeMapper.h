@@ -159,6 +159,24 @@ public:
 
   ///@{
   /**
+   * Entries per axis of the table of Classification PreIntegrated, in [2, 4096]. Default 256. The table is
+   * rebuilt when a transfer function or the range of the data changes.
+   */
+  vtkGetMacro(PreIntegrationTableSize, int);
+  void SetPreIntegrationTableSize(int size);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of that table on the GPU: 16 or 32 (half or single float). Default 32. Other
+   * numbers are refused with a warning.
+   */
+  vtkGetMacro(TablePrecision, int);
+  void SetTablePrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
    * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
@@ -228,6 +246,8 @@ private:
   int FramePrecision = 8;
   int ExtinctionGradient = Stored;
   int ScalarGradient = CentralDifferences;
+  int PreIntegrationTableSize = 256;
+  int TablePrecision = 32;
   int Quality = Custom;
 
   class Implementation;

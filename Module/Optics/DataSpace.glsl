@@ -97,7 +97,8 @@ vec2 TransmittedLight(vec3 normal, vec3 toLight, vec3 toViewer, float exponent)
 // What a segment transmits, relative to its opacity, so that all segments of a peak composite to
 // A (1 - A), A the opacity of the whole peak: eq. 19 for a crossing, at any step. Integrates the light
 // that what is left of the peak lets through, and rescales -(1 - A) ln(1 - A) to A (1 - A).
-// Optical depths in [0, 1e30]: of the segment, from its back to the end of the peak, of the whole peak.
+// Optical depths in [0, 1e30]: of the segment; from its back to the end of the peak, 0 outside of one; of the
+// whole peak, the larger one of those that the segment's two ends are in.
 float TransmittedShare(float segmentDepth, float depthBehind, float peakDepth)
 {
   float left = segmentDepth + depthBehind;

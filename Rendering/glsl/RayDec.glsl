@@ -5,11 +5,10 @@
 
 uniform mat3 in_opticsTangentToEye; // data to eye, for directions
 uniform mat3 in_opticsNormalToEye;  // its inverse transposed, for normals
-uniform vec4 in_opticsOpacityChannel; // selects the component that opacity depends on
 
 vec3 g_opticsToViewer;   // eye space, unit, constant along the ray
+float g_opticsEyePerData; // length in eye space of the unit of data space, along the ray
 mat4 g_opticsTexToEye;   // VTK's texture coordinates of this block to eye space
-vec4 g_opticsScalar;     // the sample's components, in [0, 1], set before computeLighting()
 
 // VTK clamps each sample's radiance to [0, 1]; a highlight on a translucent sample needs more.
 vec4 opticsUnclamped(vec4 radiance, float unusedLeast, float unusedLargest)

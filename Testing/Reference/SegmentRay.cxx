@@ -151,7 +151,8 @@ private:
       return;
     }
     const bool isData = this->World.integrationSpace == IntegrationSpace::Data;
-    const SegmentIntegral integral = isData ? this->InDataSpace(front, back) : this->InPhysicalSpace(front, back);
+    const SegmentIntegral integral =
+      isData ? this->InDataSpace(front, back) : this->InPhysicalSpace(front, back);
     const double opacity = isData ? this->WithSilhouette(integral, front, back) : integral.opacity;
     if (!(opacity > 0.0))
     {
@@ -159,7 +160,8 @@ private:
     }
     const Vector color =
       integral.opacity > 0.0 ? integral.color / integral.opacity : this->World.Color(back.scalar);
-    const double share = isData ? this->TransmittedShare(integral.depth, front, back) : 1.0 - integral.opacity;
+    const double share =
+      isData ? this->TransmittedShare(integral.depth, front, back) : 1.0 - integral.opacity;
     this->Composite(opacity, Radiance(this->World, this->SampleAt(sampled), color, share));
   }
 
@@ -213,6 +215,11 @@ private:
       : optics::SilhouetteOpacity(mean, scalarStep, gradientStep);
   }
 
+  double DepthOfPeak(double scalar) const
+  {
+    return this->Transfer.DepthToEnd(scalar, true) + this->Transfer.DepthToEnd(scalar, false);
+  }
+
   // Of light that comes through what is left of the segment's peak; the silhouette is the eye's alone.
   double TransmittedShare(double depth, const Place& front, const Place& back) const
   {
@@ -223,8 +230,9 @@ private:
     const double attenuation = 1.0 / this->World.EffectiveUnitInterval();
     const bool isUpward = back.scalar > front.scalar;
     const double behind = attenuation * this->Transfer.DepthToEnd(back.scalar, isUpward);
-    const double before = attenuation * this->Transfer.DepthToEnd(back.scalar, !isUpward);
-    return optics::TransmittedShare(depth, behind, behind + before);
+    // a segment that ends behind the peak began in it
+    const double peak = std::max(this->DepthOfPeak(front.scalar), this->DepthOfPeak(back.scalar));
+    return optics::TransmittedShare(depth, behind, attenuation * peak);
   }
 
   const Scene& World;

@@ -147,6 +147,10 @@ bool TransferIntegral::IsTransparentAt(double scalar) const
 //------------------------------------------------------------------------------
 double TransferIntegral::DepthToEnd(double scalar, bool isUpward) const
 {
+  if (!(this->Opacity->GetValue(scalar) > 0.0))
+  {
+    return 0.0;
+  }
   std::vector<double> ahead;
   for (double node : this->Nodes)
   {

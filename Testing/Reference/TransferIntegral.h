@@ -41,7 +41,7 @@ public:
   SegmentIntegral At(double scalar, double length) const;
 
   // Optical depth from a scalar, upwards or downwards, to where its peak ends: the next node at which the
-  // opacity is 0, or the last one. For an attenuation of 1.
+  // opacity is 0, or the last one; 0 where it is 0 itself. For an attenuation of 1.
   double DepthToEnd(double scalar, bool isUpward) const;
 
 private:

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "IntegrationTerm.h"
+
+#include "FrameTerm.h"
+#include "RayUniforms.h"
+#include "SceneNeeds.h"
+#include "TransferFunctionTerm.h"
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
+
+#include "vtkDataArray.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <string>
+
+namespace
+{
+using Property = vtkOpticsVolumeProperty;
+using F = OpticsFeature;
+
+void AddSilhouetteFeatures(const OpticsScene& scene, OpticsFeatures& features)
+{
+  const F silhouettes[] = { F::SilhouetteOff, F::SilhouetteExact, F::SilhouetteClamped, F::SilhouetteGradient };
+  if (HasSilhouettes(scene))
+  {
+    features.Add(F::SilhouetteOn);
+    features.Add(F::Ray);
+    features.Add(silhouettes[scene.Optics->GetSilhouette()]);
+  }
+  else
+  {
+    features.Add(F::SilhouetteOff);
+  }
+}
+
+// The volume's own functions count also where the optics are those of the mapper.
+double UnitInterval(const OpticsScene& scene)
+{
+  const double set = scene.Optics->GetScalarOpacityUnitInterval();
+  const double* nodes = scene.Volume->GetProperty()->GetScalarOpacity()->GetRange();
+  return set > 0.0 ? set : (nodes[1] - nodes[0]) / 100.0;
+}
+
+// Unit intervals of data in the range of the scalars; bounded to what a float holds.
+double UnitsPerRange(const OpticsScene& scene)
+{
+  double range[2];
+  TransferFunctionTerm::GetOpacityRange(scene, range);
+  const double unit = UnitInterval(scene);
+  return unit > 0.0 ? std::min((range[1] - range[0]) / unit, 1.0e30) : 100.0;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IntegrationTerm::IsActive(const OpticsScene& scene)
+{
+  if (!WantsIntegral(scene))
+  {
+    return false;
+  }
+  const std::string reason = FindUnsupportedByIntegral(scene);
+  if (!reason.empty())
+  {
+    scene.Mapper->Say("The integral in data space or by a pre-integrated table does not support " + reason +
+      ": opacity is VTK's own. SetIntegrationSpaceToPhysical() and SetClassificationToPost() silence this.");
+  }
+  return reason.empty();
+}
+
+//------------------------------------------------------------------------------
+bool IntegrationTerm::Prepare(const OpticsScene& scene)
+{
+  return this->Frames.Serves(scene) && this->Isosurfaces.Prepare(scene);
+}
+
+//------------------------------------------------------------------------------
+void IntegrationTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
+{
+  features.Add(F::Integral);
+  features.Add(F::SampleScalar);
+  features.Add(F::OpacityFormulas);
+  features.Add(IsPreIntegrated(scene) ? F::IntegralPreIntegrated : F::IntegralPost);
+  features.Add(IsInDataSpace(scene) ? F::IntegralInData : F::IntegralInSpace);
+  const F colors[] = { F::ColorOfSegment, F::ColorOfFirst, F::ColorOfSample };
+  features.Add(colors[std::clamp(scene.Scalars->GetNumberOfComponents() - 1, 0, 2)]);
+  if (!NeedsColorTable(scene))
+  {
+    features.Add(F::NoColorTable);
+  }
+  features.Add(HasIsosurfaces(scene) ? F::Isosurfaces : F::IsosurfacesNone);
+  AddSilhouetteFeatures(scene, features);
+}
+
+//------------------------------------------------------------------------------
+void IntegrationTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* program)
+{
+  SetScalarUniforms(scene, program);
+  if (HasSilhouettes(scene))
+  {
+    SetSpaceUniforms(scene, program);
+    program->SetUniformf("in_opticsGradientStepInverse", static_cast<float>(1.0 / SmallestSpacing(scene)));
+  }
+  program->SetUniformf("in_opticsUnitsPerRange", static_cast<float>(UnitsPerRange(scene)));
+  program->SetUniformf("in_opticsUnitDistanceInverse", static_cast<float>(1.0 / UnitDistance(scene)));
+  if (IsPreIntegrated(scene))
+  {
+    this->Table.Update(scene);
+    this->Table.SetUniforms(program);
+  }
+  if (HasIsosurfaces(scene))
+  {
+    this->Isosurfaces.Update(scene);
+    this->Isosurfaces.SetUniforms(program);
+  }
+}
+
+//------------------------------------------------------------------------------
+void IntegrationTerm::UnbindTextures()
+{
+  this->Table.Unbind();
+  this->Isosurfaces.Unbind();
+}
+
+//------------------------------------------------------------------------------
+void IntegrationTerm::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Table.Release(window);
+  this->Isosurfaces.Release(window);
+}
+
+//------------------------------------------------------------------------------
+std::size_t IntegrationTerm::GetMemorySize() const
+{
+  return this->Table.GetMemorySize() + this->Isosurfaces.GetMemorySize();
+}

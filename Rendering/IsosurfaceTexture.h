@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The isosurfaces of a scene on the GPU, sorted by value.
+
+#ifndef IsosurfaceTexture_h
+#define IsosurfaceTexture_h
+
+#include "OpticsScene.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+#include <vector>
+
+class vtkShaderProgram;
+class vtkWindow;
+
+class IsosurfaceTexture
+{
+public:
+  /** The width that every OpenGL 3.2 has. */
+  static constexpr int LargestNumber = 1024;
+
+  /** False where there are more, as is said. */
+  bool Prepare(const OpticsScene& scene);
+
+  /** After VTK has loaded the volume. Uploads what has changed. */
+  void Update(const OpticsScene& scene);
+  void SetUniforms(vtkShaderProgram* program);
+  void Unbind();
+  void Release(vtkWindow* window);
+  std::size_t GetMemorySize() const;
+
+private:
+  vtkSmartPointer<vtkTextureObject> Texture;
+  std::vector<float> Texels;
+};
+
+#endif

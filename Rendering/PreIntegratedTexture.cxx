@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "PreIntegratedTexture.h"
+
+#include "RayUniforms.h"
+#include "SceneNeeds.h"
+#include "TransferFunctionTerm.h"
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkShaderProgram.h"
+#include "vtkVolume.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <vector>
+
+//------------------------------------------------------------------------------
+void PreIntegratedTexture::SetFunctions(const OpticsScene& scene)
+{
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  double range[2];
+  TransferFunctionTerm::GetOpacityRange(scene, range);
+  this->Table->SetRange(range);
+  this->Table->SetOpacityFunction(property->GetScalarOpacity());
+  this->Table->SetColorFunction(property->GetRGBTransferFunction());
+  this->Table->SetSize(scene.Mapper->GetPreIntegrationTableSize());
+  this->Table->SetUnitInterval(scene.Optics->GetScalarOpacityUnitInterval());
+  this->Table->SetSegmentLength(
+    IsInDataSpace(scene) ? 0.0 : scene.Mapper->GetSampleDistance() / UnitDistance(scene));
+}
+
+//------------------------------------------------------------------------------
+void PreIntegratedTexture::Update(const OpticsScene& scene)
+{
+  this->SetFunctions(scene);
+  this->Table->Update();
+  const int bits = scene.Mapper->GetTablePrecision();
+  const bool isAlive =
+    this->Texture && this->Texture->GetContext() == scene.Window && this->Texture->GetHandle() != 0;
+  if (!isAlive || this->UploadedTime != this->Table->GetBuildTime() || this->UploadedBits != bits)
+  {
+    this->UploadedTime = this->Table->GetBuildTime();
+    this->UploadedBits = bits;
+    this->Upload(scene);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Without a table there is one clear entry.
+void PreIntegratedTexture::Upload(const OpticsScene& scene)
+{
+  const float* entries = this->Table->GetEntries();
+  const int size = entries ? this->Table->GetSize() : 1;
+  std::vector<float> texels(std::size_t(4) * size * size);
+  this->LargestAttenuation = this->Table->GetLargestMean();
+  const double scale = this->LargestAttenuation > 0.0 ? 1.0 / this->LargestAttenuation : 0.0;
+  for (std::size_t i = 0; entries && i < texels.size(); ++i)
+  {
+    texels[i] = i % 4 == 3 ? static_cast<float>(entries[i] * scale) : entries[i];
+  }
+  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
+  this->Texture->SetContext(scene.Window);
+  this->Texture->SetInternalFormat(this->UploadedBits == 16 ? GL_RGBA16F : GL_RGBA32F);
+  this->Texture->Create2DFromRaw(size, size, 4, VTK_FLOAT, texels.data());
+  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+}
+
+//------------------------------------------------------------------------------
+void PreIntegratedTexture::SetUniforms(vtkShaderProgram* program)
+{
+  this->Texture->Activate();
+  program->SetUniformi("in_opticsSegmentTable", this->Texture->GetTextureUnit());
+  program->SetUniformf("in_opticsSegmentTableSize", static_cast<float>(this->Texture->GetWidth()));
+  program->SetUniformf("in_opticsLargestAttenuation", static_cast<float>(this->LargestAttenuation));
+}
+
+//------------------------------------------------------------------------------
+void PreIntegratedTexture::Unbind()
+{
+  if (this->Texture)
+  {
+    this->Texture->Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void PreIntegratedTexture::Release(vtkWindow* window)
+{
+  if (this->Texture)
+  {
+    this->Texture->ReleaseGraphicsResources(window);
+    this->Texture = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t PreIntegratedTexture::GetMemorySize() const
+{
+  return this->Texture
+    ? std::size_t(4) * this->Texture->GetWidth() * this->Texture->GetHeight() * this->UploadedBits / 8
+    : 0;
+}

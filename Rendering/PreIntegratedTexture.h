@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A vtkPreIntegratedTable of a scene's transfer functions on the GPU.
+
+#ifndef PreIntegratedTexture_h
+#define PreIntegratedTexture_h
+
+#include "OpticsScene.h"
+#include "vtkPreIntegratedTable.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureObject.h"
+
+class vtkShaderProgram;
+class vtkWindow;
+
+class PreIntegratedTexture
+{
+public:
+  /** After VTK has loaded the volume. Builds and uploads what has changed. */
+  void Update(const OpticsScene& scene);
+  void SetUniforms(vtkShaderProgram* program);
+  void Unbind();
+  void Release(vtkWindow* window);
+  std::size_t GetMemorySize() const;
+
+private:
+  void SetFunctions(const OpticsScene& scene);
+  void Upload(const OpticsScene& scene);
+
+  vtkNew<vtkPreIntegratedTable> Table;
+  vtkSmartPointer<vtkTextureObject> Texture;
+  vtkMTimeType UploadedTime = 0;
+  int UploadedBits = 0;
+  double LargestAttenuation = 0.0;
+};
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SceneNeeds.h"
+
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+namespace
+{
+using Property = vtkOpticsVolumeProperty;
+
+// VTK's rays have no length in a volume whose points lie in a plane, and its pictures no meaning.
+bool IsFlat(const OpticsScene& scene)
+{
+  const int* size = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetDimensions();
+  return !scene.CellScalars && *std::min_element(size, size + 3) == 1;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupported(const OpticsScene& scene)
+{
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  if (scene.Mapper->GetInputCount() > 1)
+  {
+    return "several volumes in one mapper (vtkMultiVolume)";
+  }
+  if (!vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput()))
+  {
+    return "data other than vtkImageData";
+  }
+  if (IsFlat(scene))
+  {
+    return "a volume of a single point on an axis";
+  }
+  if (scene.Mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    return "a blend mode other than composite";
+  }
+  if (scene.Scalars->GetNumberOfComponents() > 1 && property->GetIndependentComponents())
+  {
+    return "several independent components";
+  }
+  if (property->HasLabelGradientOpacity())
+  {
+    return "a gradient opacity of labels";
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupportedByIntegral(const OpticsScene& scene)
+{
+  const std::string reason = FindUnsupported(scene);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  if (Is2D(scene))
+  {
+    return "2D transfer functions";
+  }
+  return HasLabels(scene) ? "label maps" : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool WantsIntegral(const OpticsScene& scene)
+{
+  return IsInDataSpace(scene) || IsPreIntegrated(scene);
+}
+
+//------------------------------------------------------------------------------
+bool ReplacesIntegral(const OpticsScene& scene)
+{
+  return WantsIntegral(scene) && FindUnsupportedByIntegral(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool WantsLighting(const OpticsScene& scene)
+{
+  return scene.Volume->GetProperty()->GetShade() && scene.Optics->GetReflectanceModel() != Property::VTK;
+}
+
+//------------------------------------------------------------------------------
+bool ReplacesLighting(const OpticsScene& scene)
+{
+  return WantsLighting(scene) && FindUnsupported(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool IsInDataSpace(const OpticsScene& scene)
+{
+  return scene.Optics->GetIntegrationSpace() == Property::Data;
+}
+
+//------------------------------------------------------------------------------
+bool IsPreIntegrated(const OpticsScene& scene)
+{
+  return scene.Optics->GetClassification() == Property::PreIntegrated;
+}
+
+//------------------------------------------------------------------------------
+bool HasIsosurfaces(const OpticsScene& scene)
+{
+  return IsInDataSpace(scene) && scene.Optics->GetNumberOfIsosurfaces() > 0;
+}
+
+//------------------------------------------------------------------------------
+bool HasSilhouettes(const OpticsScene& scene)
+{
+  return IsInDataSpace(scene) && scene.Optics->GetSilhouette() != Property::SilhouetteOff;
+}
+
+//------------------------------------------------------------------------------
+bool HasGradientOpacity(const OpticsScene& scene)
+{
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  return property->HasGradientOpacity() && !property->GetDisableGradientOpacity();
+}
+
+//------------------------------------------------------------------------------
+bool Is2D(const OpticsScene& scene)
+{
+  return scene.Volume->GetProperty()->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
+}
+
+//------------------------------------------------------------------------------
+bool HasLabels(const OpticsScene& scene)
+{
+  return scene.Mapper->GetMaskInput() &&
+    scene.Mapper->GetMaskType() == vtkGPUVolumeRayCastMapper::LabelMapMaskType;
+}
+
+//------------------------------------------------------------------------------
+bool HasOwnColor(const OpticsScene& scene)
+{
+  return scene.Scalars->GetNumberOfComponents() > 1;
+}
+
+//------------------------------------------------------------------------------
+bool HasSurface(const OpticsScene& scene)
+{
+  return ReplacesLighting(scene) && scene.Optics->GetReflectanceModel() != Property::None;
+}
+
+//------------------------------------------------------------------------------
+bool HasExtinctionSurface(const OpticsScene& scene)
+{
+  return HasSurface(scene) && scene.Optics->GetReflectanceModel() != Property::VTK;
+}
+
+//------------------------------------------------------------------------------
+bool IsAnisotropic(const OpticsScene& scene)
+{
+  const int model = scene.Optics->GetReflectanceModel();
+  return ReplacesLighting(scene) && (model == Property::Ward || model == Property::Lafortune);
+}
+
+//------------------------------------------------------------------------------
+bool NeedsCentralDifferences(const OpticsScene& scene)
+{
+  return HasGradientOpacity(scene) || Is2D(scene) ||
+    scene.Mapper->GetExtinctionGradient() == vtkOpticsVolumeMapper::CentralDifferences;
+}
+
+//------------------------------------------------------------------------------
+bool NeedsScalarGradient(const OpticsScene& scene)
+{
+  const bool forLight =
+    ReplacesLighting(scene) && scene.Optics->GetReflectanceModel() == Property::VTK;
+  return forLight || (ReplacesIntegral(scene) && HasSilhouettes(scene));
+}
+
+//------------------------------------------------------------------------------
+bool StoresScalarGradient(const OpticsScene& scene)
+{
+  return scene.Mapper->GetScalarGradient() == vtkOpticsVolumeMapper::Stored;
+}
+
+//------------------------------------------------------------------------------
+// For the tangent frame, for the gradient along the normal, and for the magnitude that a
+// gradient-dependent opacity needs at the neighbours.
+bool NeedsFrames(const OpticsScene& scene)
+{
+  const bool isAtHand = NeedsScalarGradient(scene) && StoresScalarGradient(scene);
+  return isAtHand ||
+    (HasExtinctionSurface(scene) &&
+      (IsAnisotropic(scene) || !NeedsCentralDifferences(scene) || HasGradientOpacity(scene) || Is2D(scene)));
+}
+
+//------------------------------------------------------------------------------
+bool NeedsOpacityTable(const OpticsScene& scene)
+{
+  return HasExtinctionSurface(scene) || (ReplacesIntegral(scene) && !IsPreIntegrated(scene));
+}
+
+//------------------------------------------------------------------------------
+// Four components are a colour themselves, of two the first one is looked up.
+bool NeedsColorTable(const OpticsScene& scene)
+{
+  return ReplacesIntegral(scene) && scene.Scalars->GetNumberOfComponents() < 3 &&
+    (!IsPreIntegrated(scene) || HasOwnColor(scene));
+}

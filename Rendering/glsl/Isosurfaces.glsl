@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Place ComputeRayDirection::Dec, after SegmentSmooth. Surfaces of the property's list, sorted by their values: those
+// between the scalars at a segment's ends, in the order of crossing, with the smooth parts between them.
+
+uniform sampler2D in_opticsIsosurfaces; // row 0: the value; row 1: colour and opacity, red < 0: the data's colour
+uniform int in_opticsNumberOfIsosurfaces;
+
+int g_opticsValuesBelow; // isovalues that the scalar at the front has reached
+
+float opticsIsovalue(int index)
+{
+  return texelFetch(in_opticsIsosurfaces, ivec2(index, 0), 0).r;
+}
+
+void opticsBeginAt(float scalar)
+{
+  g_opticsValuesBelow = 0;
+  while (g_opticsValuesBelow < in_opticsNumberOfIsosurfaces && opticsIsovalue(g_opticsValuesBelow) <= scalar)
+  {
+    ++g_opticsValuesBelow;
+  }
+}
+
+// At g_dataPos.
+void opticsIsosurfaceToEye(int index)
+{
+  vec4 surface = texelFetch(in_opticsIsosurfaces, ivec2(index, 1), 0);
+  if (surface.a > 0.0)
+  {
+    vec4 scalars = opticsScalarsAt(g_dataPos);
+    vec3 color = surface.r < 0.0 ? opticsColor(surface.rgb, scalars) : surface.rgb;
+    opticsComposite(vec4(color, opticsEyeSurfaceOpacity(surface.a)), scalars);
+  }
+}
+
+// The next surface on the way to the scalar at the back, or -1.
+int opticsNextIsosurface(float back)
+{
+  if (g_opticsValuesBelow < in_opticsNumberOfIsosurfaces && back >= opticsIsovalue(g_opticsValuesBelow))
+  {
+    return g_opticsValuesBelow++;
+  }
+  if (g_opticsValuesBelow > 0 && back < opticsIsovalue(g_opticsValuesBelow - 1))
+  {
+    return --g_opticsValuesBelow;
+  }
+  return -1;
+}
+
+void opticsSegmentToEye(float front, float back, float steps, vec4 scalars)
+{
+  vec3 end = g_dataPos;
+  float from = front;
+  float done = 0.0;
+  for (int surface = opticsNextIsosurface(back); surface >= 0; surface = opticsNextIsosurface(back))
+  {
+    float value = opticsIsovalue(surface);
+    float place = CrossingFraction(front, back, value);
+    g_dataPos = end - g_dirStep * (steps * (1.0 - place));
+    opticsSmoothToEye(from, value, steps * (place - done), scalars);
+    opticsIsosurfaceToEye(surface);
+    from = value;
+    done = place;
+  }
+  g_dataPos = end;
+  opticsSmoothToEye(from, back, steps * (1.0 - done), scalars);
+}
