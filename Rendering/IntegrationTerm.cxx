@@ -11,9 +11,7 @@
 #include "vtkOpticsVolumeProperty.h"
 
 #include "vtkDataArray.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
 #include <string>
@@ -25,7 +23,8 @@ using F = OpticsFeature;
 
 void AddSilhouetteFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
-  const F silhouettes[] = { F::SilhouetteOff, F::SilhouetteExact, F::SilhouetteClamped, F::SilhouetteGradient };
+  // of a sample's own attenuation Exact is the same as Gradient
+  const F silhouettes[] = { F::SilhouetteOff, F::SilhouetteExact, F::SilhouetteClamped, F::SilhouetteExact };
   if (HasSilhouettes(scene))
   {
     features.Add(F::SilhouetteOn);
@@ -38,22 +37,6 @@ void AddSilhouetteFeatures(const OpticsScene& scene, OpticsFeatures& features)
   }
 }
 
-// The volume's own functions count also where the optics are those of the mapper.
-double UnitInterval(const OpticsScene& scene)
-{
-  const double set = scene.Optics->GetScalarOpacityUnitInterval();
-  const double* nodes = scene.Volume->GetProperty()->GetScalarOpacity()->GetRange();
-  return set > 0.0 ? set : (nodes[1] - nodes[0]) / 100.0;
-}
-
-// Unit intervals of data in the range of the scalars; bounded to what a float holds.
-double UnitsPerRange(const OpticsScene& scene)
-{
-  double range[2];
-  TransferFunctionTerm::GetOpacityRange(scene, range);
-  const double unit = UnitInterval(scene);
-  return unit > 0.0 ? std::min((range[1] - range[0]) / unit, 1.0e30) : 100.0;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -85,13 +68,14 @@ void IntegrationTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
   features.Add(F::SampleScalar);
   features.Add(F::OpacityFormulas);
   features.Add(IsPreIntegrated(scene) ? F::IntegralPreIntegrated : F::IntegralPost);
-  features.Add(IsInDataSpace(scene) ? F::IntegralInData : F::IntegralInSpace);
+  features.Add(IntegratesInData(scene) ? F::IntegralInData : F::IntegralInSpace);
   const F colors[] = { F::ColorOfSegment, F::ColorOfFirst, F::ColorOfSample };
   features.Add(colors[std::clamp(scene.Scalars->GetNumberOfComponents() - 1, 0, 2)]);
   if (!NeedsColorTable(scene))
   {
     features.Add(F::NoColorTable);
   }
+  features.Add(scene.Mapper->GetCropping() ? F::HiddenByCropping : F::HiddenHalf);
   features.Add(HasIsosurfaces(scene) ? F::Isosurfaces : F::IsosurfacesNone);
   AddSilhouetteFeatures(scene, features);
 }
@@ -105,7 +89,9 @@ void IntegrationTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* pr
     SetSpaceUniforms(scene, program);
     program->SetUniformf("in_opticsGradientStepInverse", static_cast<float>(1.0 / SmallestSpacing(scene)));
   }
-  program->SetUniformf("in_opticsUnitsPerRange", static_cast<float>(UnitsPerRange(scene)));
+  const double units = UnitsPerRange(scene);
+  program->SetUniformf("in_opticsUnitsPerRange", static_cast<float>(units));
+  program->SetUniformf("in_opticsHalfUnit", static_cast<float>(std::min(0.5 / units, 1.0)));
   program->SetUniformf("in_opticsUnitDistanceInverse", static_cast<float>(1.0 / UnitDistance(scene)));
   if (IsPreIntegrated(scene))
   {

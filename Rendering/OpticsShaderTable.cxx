@@ -23,6 +23,8 @@
 #include "FrameInit.h"
 #include "GradientOpacityNone.h"
 #include "GradientOpacityScalar.h"
+#include "HiddenByCropping.h"
+#include "HiddenHalf.h"
 #include "IntegralDec.h"
 #include "IntegralImpl.h"
 #include "IntegralInit.h"
@@ -70,11 +72,13 @@
 #include "SilhouetteClamped.h"
 #include "SilhouetteExact.h"
 #include "SilhouetteGeometry.h"
-#include "SilhouetteGradient.h"
 #include "SilhouetteOff.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
+#include "SurfaceFlag.h"
+#include "SurfaceInData.h"
+#include "SurfaceOfExtinction.h"
 
 #include <vector>
 
@@ -110,6 +114,7 @@ struct Row
 // The order of the rows is the order of the text at each place.
 const Row Table[] = {
   { F::SampleScalar, &BaseDec, SampleScalar },
+  { F::IntegralInData, &BaseDec, SurfaceFlag },
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
 
@@ -136,6 +141,8 @@ const Row Table[] = {
   { F::ScalarGradientStored, &ComputeLightingDec, ScalarGradientStored },
   { F::ScalarGradientCentral, &ComputeLightingDec, ScalarGradientCentral },
   { F::Surface, &ComputeLightingDec, SurfaceDec },
+  { F::SurfaceOfExtinction, &ComputeLightingDec, SurfaceOfExtinction },
+  { F::SurfaceInData, &ComputeLightingDec, SurfaceInData },
   { F::ExtinctionSurface, &ComputeLightingDec, SurfaceCoefficient },
   { F::ReflectanceWard, &ComputeLightingDec, MajorParameterWard },
   { F::ReflectanceLafortune, &ComputeLightingDec, MajorParameterLafortune },
@@ -170,10 +177,11 @@ const Row Table[] = {
   { F::SilhouetteOn, &ComputeRayDirectionDec, SilhouetteGeometry },
   { F::SilhouetteExact, &ComputeRayDirectionDec, SilhouetteExact },
   { F::SilhouetteClamped, &ComputeRayDirectionDec, SilhouetteClamped },
-  { F::SilhouetteGradient, &ComputeRayDirectionDec, SilhouetteGradient },
   { F::Integral, &ComputeRayDirectionDec, SegmentSmooth },
   { F::IsosurfacesNone, &ComputeRayDirectionDec, IsosurfacesNone },
   { F::Isosurfaces, &ComputeRayDirectionDec, Isosurfaces },
+  { F::HiddenHalf, &ComputeRayDirectionDec, HiddenHalf },
+  { F::HiddenByCropping, &ComputeRayDirectionDec, HiddenByCropping },
   { F::Integral, &ComputeRayDirectionDec, IntegralRay },
   { F::Integral, &ShadingInit, IntegralInit },
   { F::Integral, &ShadingImpl, IntegralImpl },

@@ -28,6 +28,8 @@ enum class OpticsFeature
   Scattering,        // a model whose diffuse part is a phase function
   Surface,           // a model with a normal
   ExtinctionSurface, // a model with the normal of the classified extinction
+  SurfaceOfExtinction,
+  SurfaceInData,
   ScalarGradientStored,
   ScalarGradientCentral,
   Anisotropic,
@@ -59,7 +61,8 @@ enum class OpticsFeature
   SilhouetteOn, // any but off
   SilhouetteExact,
   SilhouetteClamped,
-  SilhouetteGradient,
+  HiddenHalf,
+  HiddenByCropping,
   IsosurfacesNone,
   Isosurfaces,
   Count

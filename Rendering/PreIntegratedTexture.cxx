@@ -31,7 +31,7 @@ void PreIntegratedTexture::SetFunctions(const OpticsScene& scene)
   this->Table->SetSize(scene.Mapper->GetPreIntegrationTableSize());
   this->Table->SetUnitInterval(scene.Optics->GetScalarOpacityUnitInterval());
   this->Table->SetSegmentLength(
-    IsInDataSpace(scene) ? 0.0 : scene.Mapper->GetSampleDistance() / UnitDistance(scene));
+    IntegratesInData(scene) ? 0.0 : scene.Mapper->GetSampleDistance() / UnitDistance(scene));
 }
 
 //------------------------------------------------------------------------------

@@ -3,17 +3,19 @@
 
 #include "RayUniforms.h"
 
+#include "TransferFunctionTerm.h"
 #include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +52,19 @@ void ScalarRange(const OpticsScene& scene, int component, double range[2])
   {
     range[1] = range[0] + std::max(1.0, std::abs(range[0])) * 1.0e-3;
   }
+}
+
+//------------------------------------------------------------------------------
+// The volume's own functions count also where the optics are those of the mapper. Bounded to what a float
+// holds.
+double UnitsPerRange(const OpticsScene& scene)
+{
+  const double* nodes = scene.Volume->GetProperty()->GetScalarOpacity()->GetRange();
+  const double set = scene.Optics->GetScalarOpacityUnitInterval();
+  const double unit = set > 0.0 ? set : (nodes[1] - nodes[0]) / 100.0;
+  double range[2];
+  TransferFunctionTerm::GetOpacityRange(scene, range);
+  return unit > 0.0 ? std::clamp((range[1] - range[0]) / unit, 1.0e-30, 1.0e30) : 100.0;
 }
 
 //------------------------------------------------------------------------------

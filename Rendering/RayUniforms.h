@@ -21,6 +21,9 @@ void ScalarRange(const OpticsScene& scene, int component, double range[2]);
 /** Data to eye space, for directions and for normals. */
 void SetSpaceUniforms(const OpticsScene& scene, vtkShaderProgram* program);
 
+/** Unit intervals of data in the range of the scalars; after VTK has loaded the volume. */
+double UnitsPerRange(const OpticsScene& scene);
+
 /** Which component opacity depends on. */
 void SetScalarUniforms(const OpticsScene& scene, vtkShaderProgram* program);
 

@@ -73,13 +73,19 @@ std::string FindUnsupportedByIntegral(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool WantsIntegral(const OpticsScene& scene)
 {
-  return IsInDataSpace(scene) || IsPreIntegrated(scene);
+  return scene.Optics->GetIntegrationSpace() == Property::Data || IsPreIntegrated(scene);
 }
 
 //------------------------------------------------------------------------------
 bool ReplacesIntegral(const OpticsScene& scene)
 {
   return WantsIntegral(scene) && FindUnsupportedByIntegral(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool IntegratesInData(const OpticsScene& scene)
+{
+  return scene.Optics->GetIntegrationSpace() == Property::Data && ReplacesIntegral(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -95,12 +101,6 @@ bool ReplacesLighting(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
-bool IsInDataSpace(const OpticsScene& scene)
-{
-  return scene.Optics->GetIntegrationSpace() == Property::Data;
-}
-
-//------------------------------------------------------------------------------
 bool IsPreIntegrated(const OpticsScene& scene)
 {
   return scene.Optics->GetClassification() == Property::PreIntegrated;
@@ -109,13 +109,13 @@ bool IsPreIntegrated(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool HasIsosurfaces(const OpticsScene& scene)
 {
-  return IsInDataSpace(scene) && scene.Optics->GetNumberOfIsosurfaces() > 0;
+  return IntegratesInData(scene) && scene.Optics->GetNumberOfIsosurfaces() > 0;
 }
 
 //------------------------------------------------------------------------------
 bool HasSilhouettes(const OpticsScene& scene)
 {
-  return IsInDataSpace(scene) && scene.Optics->GetSilhouette() != Property::SilhouetteOff;
+  return IntegratesInData(scene) && scene.Optics->GetSilhouette() != Property::SilhouetteOff;
 }
 
 //------------------------------------------------------------------------------
@@ -175,7 +175,7 @@ bool NeedsScalarGradient(const OpticsScene& scene)
 {
   const bool forLight =
     ReplacesLighting(scene) && scene.Optics->GetReflectanceModel() == Property::VTK;
-  return forLight || (ReplacesIntegral(scene) && HasSilhouettes(scene));
+  return forLight || HasSilhouettes(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -185,14 +185,15 @@ bool StoresScalarGradient(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
-// For the tangent frame, for the gradient along the normal, and for the magnitude that a
-// gradient-dependent opacity needs at the neighbours.
+// For the tangent frame, for the gradient along the normal, for the magnitude that a gradient-dependent
+// opacity needs at the neighbours, and for the normals of isosurfaces.
 bool NeedsFrames(const OpticsScene& scene)
 {
   const bool isAtHand = NeedsScalarGradient(scene) && StoresScalarGradient(scene);
   return isAtHand ||
     (HasExtinctionSurface(scene) &&
-      (IsAnisotropic(scene) || !NeedsCentralDifferences(scene) || HasGradientOpacity(scene) || Is2D(scene)));
+      (IsAnisotropic(scene) || !NeedsCentralDifferences(scene) || HasGradientOpacity(scene) || Is2D(scene) ||
+        HasIsosurfaces(scene)));
 }
 
 //------------------------------------------------------------------------------

@@ -19,12 +19,12 @@ std::string FindUnsupportedByIntegral(const OpticsScene& scene);
 /** Whether the scene asks for an integral other than VTK's own, and whether it gets it. */
 bool WantsIntegral(const OpticsScene& scene);
 bool ReplacesIntegral(const OpticsScene& scene);
+bool IntegratesInData(const OpticsScene& scene);
 
 /** Whether the scene asks for light other than VTK's own, and whether it gets it. */
 bool WantsLighting(const OpticsScene& scene);
 bool ReplacesLighting(const OpticsScene& scene);
 
-bool IsInDataSpace(const OpticsScene& scene);
 bool IsPreIntegrated(const OpticsScene& scene);
 bool HasIsosurfaces(const OpticsScene& scene);
 bool HasSilhouettes(const OpticsScene& scene);

@@ -6,8 +6,9 @@
 
 float g_opticsPlace;    // of this sample
 float g_opticsEnd;      // of the exit: the volume's, a clipping plane's, or opaque geometry
-bool g_opticsHasFront;  // whether there is a sample before this one, and nothing between them is left out
-float g_opticsFront;    // its scalar
+bool g_opticsWasHidden;  // the sample before this one
+bool g_opticsHasFront;   // whether there is one and it has a scalar
+float g_opticsFront;     // its scalar
 float g_opticsFrontPlace;
 
 vec4 opticsScalarsAt(vec3 texPosition)

@@ -9,4 +9,6 @@
   opticsEntry = g_opticsPlace <= 1.001 ? opticsEntry : g_opticsPlace - 1.0;
   g_opticsPlace = min(g_opticsPlace, g_opticsEnd);
   g_dataPos = g_rayOrigin + g_dirStep * g_opticsPlace;
-  opticsBegin(dot(opticsScalarsAt(g_rayOrigin + g_dirStep * opticsEntry), in_opticsOpacityChannel), opticsEntry);
+  vec3 opticsEntryPosition = g_rayOrigin + g_dirStep * opticsEntry;
+  g_opticsWasHidden = opticsIsHidden(opticsEntryPosition);
+  opticsBeginAtPosition(opticsEntryPosition, opticsEntry);

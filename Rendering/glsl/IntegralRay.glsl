@@ -26,26 +26,52 @@ void opticsBegin(float scalar, float place)
   opticsBeginAt(scalar);
 }
 
-// The segment that ends at g_dataPos; VTK's classification of a sample belongs to it.
+void opticsBeginAtPosition(vec3 texPosition, float place)
+{
+  opticsBegin(dot(opticsScalarsAt(texPosition), in_opticsOpacityChannel), place);
+}
+
+// The segment between the front and g_dataPos, which is at the place.
+void opticsIntegrateTo(float place)
+{
+  vec4 scalars = opticsScalarsAt(g_dataPos);
+  float scalar = dot(scalars, in_opticsOpacityChannel);
+  if (!g_opticsHasFront || isnan(scalar))
+  {
+    opticsBegin(scalar, place);
+  }
+  else if (place > g_opticsFrontPlace)
+  {
+    opticsSegmentToEye(g_opticsFront, scalar, place - g_opticsFrontPlace, scalars);
+    g_opticsFront = scalar;
+    g_opticsFrontPlace = place;
+  }
+}
+
+// The segment that ends at g_dataPos, as far as it is visible; VTK's classification of a sample belongs to it.
 void opticsSample()
 {
   g_srcColor = vec4(0.0);
-  if (g_skip)
+  vec3 position = g_dataPos;
+  float place = g_opticsPlace;
+  float steps = place - g_opticsFrontPlace;
+  bool isLeaving = g_skip && !g_opticsWasHidden;
+  if (isLeaving)
   {
-    g_opticsHasFront = false;
-    return;
+    float part = opticsVisiblePart(position - g_dirStep * steps, position);
+    g_dataPos = position - g_dirStep * (steps * (1.0 - part));
+    place -= steps * (1.0 - part);
   }
-  vec4 scalars = opticsScalarsAt(g_dataPos);
-  float scalar = dot(scalars, in_opticsOpacityChannel);
-  float steps = g_opticsPlace - g_opticsFrontPlace;
-  if (!g_opticsHasFront || isnan(scalar))
+  else if (!g_skip && g_opticsWasHidden)
   {
-    opticsBegin(scalar, g_opticsPlace);
+    float part = opticsVisiblePart(position, position - g_dirStep * steps);
+    opticsBeginAtPosition(position - g_dirStep * (steps * part), place - steps * part);
   }
-  else if (steps > 0.0)
+  if (isLeaving || !g_skip)
   {
-    opticsSegmentToEye(g_opticsFront, scalar, steps, scalars);
-    g_opticsFront = scalar;
-    g_opticsFrontPlace = g_opticsPlace;
+    opticsIntegrateTo(place);
   }
+  g_opticsWasHidden = g_skip;
+  g_opticsFrontPlace = g_opticsPlace;
+  g_dataPos = position;
 }

@@ -23,18 +23,6 @@ void opticsBeginAt(float scalar)
   }
 }
 
-// At g_dataPos.
-void opticsIsosurfaceToEye(int index)
-{
-  vec4 surface = texelFetch(in_opticsIsosurfaces, ivec2(index, 1), 0);
-  if (surface.a > 0.0)
-  {
-    vec4 scalars = opticsScalarsAt(g_dataPos);
-    vec3 color = surface.r < 0.0 ? opticsColor(surface.rgb, scalars) : surface.rgb;
-    opticsComposite(vec4(color, opticsEyeSurfaceOpacity(surface.a)), scalars);
-  }
-}
-
 // The next surface on the way to the scalar at the back, or -1.
 int opticsNextIsosurface(float back)
 {
@@ -49,21 +37,35 @@ int opticsNextIsosurface(float back)
   return -1;
 }
 
+// At a point of the segment that ends at g_dataPos, lit there.
+void opticsIsosurfaceToEye(int index, vec3 texPosition)
+{
+  vec4 surface = texelFetch(in_opticsIsosurfaces, ivec2(index, 1), 0);
+  if (surface.a > 0.0)
+  {
+    vec3 end = g_dataPos;
+    g_dataPos = texPosition;
+    g_opticsIsSurface = true;
+    vec4 scalars = opticsScalarsAt(texPosition);
+    vec3 color = surface.r < 0.0 ? opticsColor(surface.rgb, scalars) : surface.rgb;
+    opticsComposite(vec4(color, opticsEyeSurfaceOpacity(surface.a)), scalars);
+    g_opticsIsSurface = false;
+    g_dataPos = end;
+  }
+}
+
 void opticsSegmentToEye(float front, float back, float steps, vec4 scalars)
 {
-  vec3 end = g_dataPos;
   float from = front;
   float done = 0.0;
   for (int surface = opticsNextIsosurface(back); surface >= 0; surface = opticsNextIsosurface(back))
   {
     float value = opticsIsovalue(surface);
     float place = CrossingFraction(front, back, value);
-    g_dataPos = end - g_dirStep * (steps * (1.0 - place));
     opticsSmoothToEye(from, value, steps * (place - done), scalars);
-    opticsIsosurfaceToEye(surface);
+    opticsIsosurfaceToEye(surface, g_dataPos - g_dirStep * (steps * (1.0 - place)));
     from = value;
     done = place;
   }
-  g_dataPos = end;
   opticsSmoothToEye(from, back, steps * (1.0 - done), scalars);
 }

@@ -11,7 +11,7 @@ struct OpticsSurface
 
 OpticsSurface opticsSurface(float label)
 {
-  OpticsGradient gradient = opticsExtinctionGradient(label);
+  OpticsGradient gradient = opticsSurfaceGradient(label);
   return OpticsSurface(opticsNormalInEye(gradient.normal), opticsCoefficient(gradient));
 }
 

@@ -12,3 +12,9 @@ vec4 opticsSegmentMean(float front, float back)
   float depth = opacity < 1.0 ? OpticalDepth(opacity) : OpaqueDepth;
   return vec4(opticsTableColor(back), depth * in_opticsUnitsPerRange);
 }
+
+// What the end of a part of a segment is classified by: the segment's own end.
+float opticsClassified(float to, vec4 scalars)
+{
+  return dot(scalars, in_opticsOpacityChannel);
+}

@@ -15,3 +15,9 @@ vec4 opticsSegmentMean(float front, float back)
     vec2(TableCoordinate(front, in_opticsSegmentTableSize), TableCoordinate(back, in_opticsSegmentTableSize)));
   return vec4(mean.rgb, mean.a * in_opticsLargestAttenuation);
 }
+
+// What the end of a part of a segment is classified by.
+float opticsClassified(float to, vec4 scalars)
+{
+  return to;
+}

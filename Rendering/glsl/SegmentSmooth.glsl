@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeRayDirection::Dec, after Silhouette*. A part of the ray without surfaces, lit at g_dataPos.
+// Place ComputeRayDirection::Dec, after Silhouette*. A part of the segment that ends at g_dataPos, without surfaces,
+// lit there. scalars: of the segment's end.
 
-void opticsSmoothToEye(float front, float back, float steps, vec4 scalars)
+void opticsSmoothToEye(float from, float to, float steps, vec4 scalars)
 {
-  vec4 mean = opticsSegmentMean(front, back);
-  float opacity = opticsEyeOpacity(mean.a, opticsExtent(front, back, steps), steps);
+  vec4 mean = opticsSegmentMean(from, opticsClassified(to, scalars));
+  float opacity = opticsEyeOpacity(mean.a, opticsExtent(from, to, steps), steps);
   if (opacity > 0.0)
   {
     opticsComposite(vec4(opticsColor(mean.rgb, scalars), opacity), scalars);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeRayDirection::Dec, after SilhouetteGeometry. [Kraus2005] eq. 15.
+// Place ComputeRayDirection::Dec, after SilhouetteGeometry. [Kraus2005] eq. 15; post-classified eq. 18.
 
 float opticsEyeOpacity(float attenuation, float extent, float steps)
 {

@@ -14,7 +14,7 @@ struct OpticsSurface
 
 OpticsSurface opticsSurface(float label)
 {
-  OpticsGradient gradient = opticsExtinctionGradient(label);
+  OpticsGradient gradient = opticsSurfaceGradient(label);
   AnisotropyFrame frame = EigenFrame(gradient.frameNormal, opticsAnisotropy(g_dataPos, gradient.frameNormal));
   OpticsSurface surface;
   surface.normal = opticsNormalInEye(gradient.normal);

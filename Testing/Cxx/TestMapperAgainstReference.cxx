@@ -4,58 +4,17 @@
 // The mapper's pictures on a target of float against the double-precision reference, over the same
 // normals and frames: what is left is float, the opacity table and VTK's steps.
 
-#include "RayCaster.h"
-#include "TestScene.h"
+#include "ReferencePictures.h"
 
-#include "vtkAmbientCovarianceFilter.h"
-#include "vtkFloatArray.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
-#include "vtkPointData.h"
-#include "vtkSobelNormalFilter.h"
 
 #include <functional>
-#include <memory>
 
 using namespace reference;
 
 namespace
 {
-const int PictureSize = 150; // TestScene's
-
-// Normals and covariance for the mapper and for the reference alike.
-struct Frames
-{
-  vtkNew<vtkSobelNormalFilter> normals;
-  vtkNew<vtkAmbientCovarianceFilter> covariance;
-
-  explicit Frames(TestScene& scene)
-  {
-    this->normals->SetInputConnection(scene.Source->GetOutputPort());
-    this->covariance->SetInputConnection(scene.Source->GetOutputPort());
-    this->covariance->SetRadius(6.0);
-    this->normals->Update();
-    this->covariance->Update();
-    scene.Optics->SetNormalsInputData(this->normals->GetOutput());
-    scene.Optics->SetAnisotropyInputData(this->covariance->GetOutput());
-    scene.Optics->SetFramePrecision(32);
-  }
-  std::shared_ptr<FrameField> Stored()
-  {
-    return std::make_shared<GridFrameField>(this->normals->GetOutput(), this->covariance->GetOutput());
-  }
-};
-
-vtkSmartPointer<vtkImageData> FloatPicture(TestScene& scene)
-{
-  const std::vector<float> pixels = scene.RenderFloat();
-  auto picture = vtkSmartPointer<vtkImageData>::New();
-  picture->SetDimensions(PictureSize, PictureSize, 1);
-  picture->AllocateScalars(VTK_FLOAT, 4);
-  std::copy(pixels.begin(), pixels.end(), static_cast<float*>(picture->GetScalarPointer()));
-  return picture;
-}
-
 struct Setting
 {
   const char* name;
@@ -107,15 +66,6 @@ const Setting Settings[] = {
       s.Opacity->AddPoint(0.7, 0.0);
     } },
 };
-
-// As far as the reference goes: what the mapper has beyond SceneFromVTK().
-Scene SceneOf(TestScene& stage, Frames& frames)
-{
-  Scene scene = SceneFromVTK(stage.Renderer, stage.Volume, PictureSize, PictureSize);
-  scene.frames = frames.Stored();
-  scene.gradientEstimate = static_cast<GradientEstimate>(stage.Optics->GetExtinctionGradient());
-  return scene;
-}
 }
 
 int TestMapperAgainstReference(int, char*[])
@@ -136,10 +86,8 @@ int TestMapperAgainstReference(int, char*[])
       stage.Property->SetSpecular(1.0);
       setting.apply(stage);
       auto picture = FloatPicture(stage);
-      const double* background = stage.Renderer->GetBackground();
       const Image truth = Render(SceneOf(stage, frames));
-      const Difference difference =
-        Compare(truth, picture, Vector(background[0], background[1], background[2]));
+      const Difference difference = CompareShown(stage, truth, picture);
       const std::string name =
         std::string(stage.Property->GetReflectanceModelAsString()) + ", " + setting.name;
       std::cout << name << ": rms " << 255.0 * difference.rootMeanSquare << "/255, largest "

@@ -60,22 +60,18 @@ public:
   const glm::dvec4& Color() const { return this->Sum; }
 
 private:
-  // Surfaces part the segment; a post-classified one belongs to the sample at its back as a whole.
+  // Surfaces part the segment; all parts of a post-classified one are of the sample at its back.
   void AddLinear(const Place& front, const Place& back)
   {
     Place begin = front;
     for (const Isosurface& surface : this->SurfacesOf(front, back))
     {
       const Place crossing = this->Crossing(front, back, surface.value);
-      if (this->World.classification == Classification::PreIntegrated)
-      {
-        this->AddInterior(begin, crossing, back);
-      }
+      this->AddInterior(begin, crossing, back);
       this->AddSurface(surface, crossing);
       begin = crossing;
     }
-    const bool isPost = this->World.classification == Classification::Post;
-    this->AddInterior(isPost ? front : begin, back, back);
+    this->AddInterior(begin, back, back);
   }
 
   std::vector<Isosurface> SurfacesOf(const Place& front, const Place& back) const
@@ -152,8 +148,9 @@ private:
     }
     const bool isData = this->World.integrationSpace == IntegrationSpace::Data;
     const SegmentIntegral integral =
-      isData ? this->InDataSpace(front, back) : this->InPhysicalSpace(front, back);
-    const double opacity = isData ? this->WithSilhouette(integral, front, back) : integral.opacity;
+      isData ? this->InDataSpace(front, back, sampled) : this->InPhysicalSpace(front, back, sampled);
+    const double opacity =
+      isData ? this->WithSilhouette(integral, front, back, sampled) : integral.opacity;
     if (!(opacity > 0.0))
     {
       return;
@@ -166,23 +163,23 @@ private:
   }
 
   // Lengths are the dataset's, in units of ScalarOpacityUnitDistance.
-  SegmentIntegral InPhysicalSpace(const Place& front, const Place& back) const
+  SegmentIntegral InPhysicalSpace(const Place& front, const Place& back, const Place& sampled) const
   {
     const double length = (back.at - front.at) / this->World.unitDistance;
     const double change = std::abs(back.scalar - front.scalar);
     if (this->World.classification == Classification::Post || change == 0.0)
     {
-      return this->Transfer.At(back.scalar, length);
+      return this->Transfer.At(sampled.scalar, length);
     }
     return this->Transfer.Between(front.scalar, back.scalar, length / change);
   }
 
-  SegmentIntegral InDataSpace(const Place& front, const Place& back) const
+  SegmentIntegral InDataSpace(const Place& front, const Place& back, const Place& sampled) const
   {
     const double attenuation = 1.0 / this->World.EffectiveUnitInterval();
     if (this->World.classification == Classification::Post)
     {
-      return this->Transfer.At(back.scalar, attenuation * this->ScalarStep(front, back));
+      return this->Transfer.At(sampled.scalar, attenuation * std::abs(back.scalar - front.scalar));
     }
     return this->Transfer.Between(front.scalar, back.scalar, attenuation);
   }
@@ -192,24 +189,18 @@ private:
     return this->World.field->Gradient(this->Path.origin + place.at * this->Path.direction);
   }
 
-  double ScalarStep(const Place& front, const Place& back) const
-  {
-    return this->World.classification == Classification::Post
-      ? optics::ScalarStep(this->GradientAt(back), (back.at - front.at) * this->Path.direction)
-      : std::abs(back.scalar - front.scalar);
-  }
-
-  double WithSilhouette(const SegmentIntegral& integral, const Place& front, const Place& back) const
+  double WithSilhouette(
+    const SegmentIntegral& integral, const Place& front, const Place& back, const Place& sampled) const
   {
     if (this->World.silhouette == Silhouette::Off)
     {
       return integral.opacity;
     }
-    const double scalarStep = this->ScalarStep(front, back);
-    const double gradientStep = glm::length(this->GradientAt(back)) * (back.at - front.at);
+    const double scalarStep = std::abs(back.scalar - front.scalar);
+    const double gradientStep = glm::length(this->GradientAt(sampled)) * (back.at - front.at);
     const double mean = scalarStep > 0.0
       ? integral.depth / scalarStep
-      : this->Transfer.At(back.scalar, 1.0 / this->World.EffectiveUnitInterval()).depth;
+      : this->Transfer.At(sampled.scalar, 1.0 / this->World.EffectiveUnitInterval()).depth;
     return this->World.silhouette == Silhouette::Clamped
       ? optics::ClampedSilhouetteOpacity(mean, scalarStep, gradientStep)
       : optics::SilhouetteOpacity(mean, scalarStep, gradientStep);

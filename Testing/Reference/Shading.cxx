@@ -210,6 +210,13 @@ ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample
   ExtinctionGradient result = scene.gradientEstimate == GradientEstimate::StoredNormal
     ? FromStoredNormal(scene, sample)
     : FromCentralDifferences(scene, sample);
+  if (scene.integrationSpace == IntegrationSpace::Data)
+  {
+    // |tau'| u^2 as a difference over one unit u of data
+    const double half = 0.5 * scene.EffectiveUnitInterval();
+    result.coefficient = optics::SpecularCoefficient(
+      DepthOf(scene, sample.scalar + half), DepthOf(scene, sample.scalar - half), 2.0);
+  }
   if (!scene.specularFromExtinction)
   {
     result.coefficient = 1.0;
