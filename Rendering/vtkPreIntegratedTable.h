@@ -20,7 +20,7 @@
  * The functions are integrated from node to node: lines exactly (also towards opacity 1), VTK's sharp
  * curves and colour spaces other than RGB in 16 parts between two nodes, steps and coincident nodes as they
  * are. So a peak narrower than a cell of the table has its whole opacity. Opacity 1 counts as an optical
- * depth of 1e6. Opacities outside [0, 1] count as the nearest one inside, NaN as 0. Outside of the
+ * depth of 1e6. Opacities outside [0, 1] count as the nearest one inside, and NaN, also of a colour, as 0. Outside of the
  * functions' nodes their Clamping counts; scalars outside the table's range are those at its ends.
  *
  * Update() does the work, and only after a change. Independent of OpenGL.
