@@ -74,17 +74,21 @@ GalleryPicture ScaleInvariant(const std::string& name, const std::string& field,
   return { name + (silhouette == "off" ? "-data" : "-data-" + silhouette), title, field, settings, caption };
 }
 
+// On a dark background, which shines through less.
 void Shade(PictureSettings& settings, double azimuth, double elevation)
 {
+  settings.Background = { 0.07, 0.08, 0.1 };
   settings.Function.Shade = true;
   settings.Function.Ambient = 0.15;
-  settings.Function.Diffuse = 0.75;
-  settings.Function.Specular = 0.35;
-  settings.Function.SpecularPower = 30.0;
+  settings.Function.Diffuse = 0.9;
+  settings.Function.Specular = 0.5;
+  settings.Function.SpecularPower = 40.0;
   settings.Lights = { { azimuth, elevation, 1.0 } };
 }
 
 const Isosurfaces CoulombSurfaces = { { 0.26, 0.1, 0.3, 0.85, 0.25 }, { 0.46, 0.9, 0.15, 0.1, 0.45 } };
+// Of brighter colours, for light.
+const Isosurfaces LitSurfaces = { { 0.26, 0.45, 0.7, 1.0, 0.35 }, { 0.46, 1.0, 0.45, 0.25, 0.6 } };
 const View CoulombView = { 0.0, 8.0, 1.75 };
 
 GallerySection CoulombSection()
@@ -99,12 +103,12 @@ GallerySection CoulombSection()
   const PictureSettings settings = Base(CoulombView);
   PictureSettings lit = settings;
   Shade(lit, -30.0, 35.0);
-  section.Pictures = { Standard("coulomb", field, settings, CoulombSurfaces, 0.15,
+  section.Pictures = { Standard("coulomb", field, settings, CoulombSurfaces, 1.0,
                          "The lowest red surface is the most opaque, the smallest is hardly there."),
     ScaleInvariant("coulomb", field, settings, CoulombSurfaces, "off", "Three red surfaces of one opacity."),
     ScaleInvariant("coulomb", field, settings, CoulombSurfaces, "exact",
       "Opacity grows where a ray grazes a surface: outlines tell its form."),
-    ScaleInvariant("coulomb-lit", field, lit, CoulombSurfaces, "exact", "The same with light.") };
+    ScaleInvariant("coulomb-lit", field, lit, LitSurfaces, "exact", "The same with light.") };
   return section;
 }
 
@@ -117,8 +121,8 @@ GallerySection OrbitalSection()
     "little above the isovalue, so the gradient is small there, and opacity per length makes the ring more "
     "opaque than the lobes.",
     3, {}, false };
-  PictureSettings settings = Base({ 0.0, 22.0, 1.9 });
-  section.Pictures = { Standard("orbital", field, settings, surfaces, 0.15,
+  PictureSettings settings = Base({ 0.0, 22.0, 1.25 });
+  section.Pictures = { Standard("orbital", field, settings, surfaces, 0.8,
                          "The ring looks denser than the lobes; nothing in the data says so."),
     ScaleInvariant("orbital", field, settings, surfaces, "off", "Opacity 0.35 on all three parts."),
     ScaleInvariant("orbital", field, settings, surfaces, "exact", "The same with silhouettes.") };
@@ -128,15 +132,15 @@ GallerySection OrbitalSection()
 GallerySection RidgesSection()
 {
   const std::string field = "marschner-lobb";
-  const Isosurfaces surfaces = { { 0.5, 0.1, 0.45, 0.6, 0.45 } };
+  const Isosurfaces surfaces = { { 0.5, 0.1, 0.45, 0.6, 0.25 } };
   GallerySection section{ "Marschner-Lobb signal at isovalue 0.5",
     "After Fig. 8a and b: on the tops of the ridges and the bottoms of the valleys the gradient is smallest. "
     "Opacity per length makes them opaque, which looks like a silhouette where there is none.",
     3, {}, false };
-  const PictureSettings settings = Base({ 25.0, 40.0, 1.5 });
-  section.Pictures = { Standard("ridges", field, settings, surfaces, 0.1,
+  const PictureSettings settings = Base({ 0.0, 62.0, 1.35 });
+  section.Pictures = { Standard("ridges", field, settings, surfaces, 0.35,
                          "Dark lines on tops and bottoms, mixed with silhouettes."),
-    ScaleInvariant("ridges", field, settings, surfaces, "off", "Each layer of the surface has opacity 0.45."),
+    ScaleInvariant("ridges", field, settings, surfaces, "off", "Each layer of the surface has opacity 0.25."),
     ScaleInvariant("ridges", field, settings, surfaces, "exact",
       "Lines are silhouettes alone: where the surface turns away.") };
   return section;
@@ -166,25 +170,25 @@ GallerySection ConstantSection()
   return section;
 }
 
-// Opacities whose product is that of all data from 0 to 1: 0.9.
+// The data from 0.2 to 0.65 lets 1/50 of the light through, by surfaces or by the integral.
 GallerySection LimitSection()
 {
   GallerySection section{ "Isosurfaces, ever more of them",
     "After Fig. 3: N isosurfaces at equidistant values, each of an opacity that falls with N, become the "
     "volume rendering integral in data space, which is their limit.",
     4, {}, false };
+  const double transparency = 0.02, first = 0.2, last = 0.65, edge = 1.0e-5;
   PictureSettings settings = Base(CoulombView);
-  settings.Function.Color = { { 0.0, 0.15, 0.25, 0.75 }, { 0.25, 0.1, 0.65, 0.6 }, { 0.45, 0.9, 0.75, 0.15 },
+  settings.Function.Color = { { 0.2, 0.15, 0.25, 0.75 }, { 0.3, 0.1, 0.65, 0.6 }, { 0.45, 0.9, 0.75, 0.15 },
     { 0.6, 0.85, 0.15, 0.1 } };
   settings.Function.Integration.Space = "data";
-  const double transparency = 0.02;
   for (const int count : { 4, 16, 64 })
   {
     PictureSettings some = settings;
     for (int i = 0; i < count; ++i)
     {
       some.Function.Integration.Isosurfaces.push_back(
-        { (i + 0.5) / count, 1.0 - std::pow(transparency, 1.0 / count) });
+        { first + (i + 0.5) / count * (last - first), 1.0 - std::pow(transparency, 1.0 / count) });
     }
     const std::string number = std::to_string(count);
     section.Pictures.push_back({ "limit-" + number, number + " isosurfaces", "coulomb", some,
@@ -192,8 +196,10 @@ GallerySection LimitSection()
         : count == 16 ? "The steps get finer."
                       : "The steps are hardly seen." });
   }
-  settings.Function.Opacity = { { 0.0, 1.0 - transparency }, { 1.0, 1.0 - transparency } };
-  settings.Function.Integration.UnitInterval = 1.0;
+  const double opacity = 1.0 - transparency;
+  settings.Function.Opacity = { { first - edge, 0.0 }, { first, opacity }, { last, opacity },
+    { last + edge, 0.0 } };
+  settings.Function.Integration.UnitInterval = last - first;
   section.Pictures.push_back({ "limit-integral", "The integral", "coulomb", settings, "The limit." });
   return section;
 }
@@ -210,7 +216,7 @@ GallerySection LightSection()
   Shade(settings, -25.0, 30.0);
   IntegrationSettings& integration = settings.Function.Integration;
   integration.Space = "data";
-  integration.Isosurfaces = CoulombSurfaces;
+  integration.Isosurfaces = LitSurfaces;
   integration.Silhouette = "exact";
   section.Pictures.push_back(
     { "light-front", "Light from the front", "coulomb", settings, "Reflection alone, as usual." });
@@ -232,7 +238,7 @@ GallerySection SilhouetteSection()
     "After Fig. 5: a thin layer is longer along a ray that grazes it. Exact takes this length into the "
     "exponent; clamped divides the opacity by the cosine, which is simpler and too opaque near the outline.",
     3, {}, false };
-  const Isosurfaces surfaces = { { 0.26, 0.1, 0.3, 0.85, 0.3 }, { 0.46, 0.9, 0.15, 0.1, 0.6 } };
+  const Isosurfaces surfaces = { { 0.26, 0.1, 0.3, 0.85, 0.45 }, { 0.46, 0.9, 0.15, 0.1, 0.75 } };
   const PictureSettings settings = Base(CoulombView);
   const auto add = [&](const char* silhouette, const char* title, const char* caption) {
     GalleryPicture picture = ScaleInvariant("silhouette", "coulomb", settings, surfaces, silhouette, caption);
@@ -252,11 +258,11 @@ GallerySection TetrahedraSection()
     "by "
     "projection. In data space a table of two dimensions holds all that a cell can show.",
     3, {}, false };
-  PictureSettings settings = Base({ 20.0, 25.0, 1.5 });
+  PictureSettings settings = Base({ 20.0, 25.0, 2.6 });
   settings.Function.Color = { { 0.0, 0.2, 0.4, 0.8 }, { 0.4, 0.2, 0.6, 0.75 }, { 0.7, 0.9, 0.6, 0.2 },
     { 1.0, 0.85, 0.2, 0.1 } };
   settings.Function.Opacity = { { 0.0, 0.0 }, { 0.08, 0.0 }, { 0.1, 0.35 }, { 1.0, 0.35 } };
-  settings.Function.UnitDistance = 12.0;
+  settings.Function.UnitDistance = 2.0;
   PictureSettings data = settings;
   data.Function.Integration.Space = "data";
   data.Function.Integration.UnitInterval = 0.4;

@@ -59,7 +59,7 @@ public:
 
   // Frames of a post-classified and a pre-integrated scene take turns, so that a noisy machine slows both.
   std::pair<BenchFrame, BenchFrame> MeasurePair(
-    const BenchFunction& function, const std::string& space, double step);
+    const BenchFunction& function, const std::string& space, double step, const BenchTable& table);
   BenchFrame Measure(const BenchFunction& function, const std::string& space,
     const std::string& classification, double step, const BenchTable& table = {});
   // Where frames are drawn by the processor, times are its own, of all threads; else they are the clock's.
@@ -69,7 +69,7 @@ private:
   VolumeScene& Stage(const BenchFunction& function, const std::string& space,
     const std::string& classification, double step, const BenchTable& table);
   const reference::Image& Truth(const BenchFunction& function, const std::string& space);
-  // All but the time of the frame.
+  // The first frame of these settings, which may link a program and build a table.
   BenchFrame Judge(const BenchFunction& function, const std::string& space, const std::string& classification,
     double step, const BenchTable& table);
   double Now() const;

@@ -12,7 +12,7 @@
 struct IntegrationTradeOptions
 {
   std::string Folder = "trade";
-  int Size = 96;
+  int Size = 160;
   bool Headless = false;
 };
 
