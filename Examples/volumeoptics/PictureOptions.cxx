@@ -3,6 +3,7 @@
 
 #include "PictureOptions.h"
 
+#include "Lighting.h"
 #include "Progress.h"
 #include "UserError.h"
 
@@ -18,8 +19,11 @@ const char* const FunctionFormat = R"(
 Transfer function (JSON), values in the data's units, opacity per unitDistance of world length:
   {"opacity": [[200, 0.0], [400, 0.9]], "color": [[200, 0.9, 0.8, 0.7], [3000, 1, 1, 1]],
    "unitDistance": 1.0, "shade": true, "ambient": 0.1, "diffuse": 0.7, "specular": 0.4,
-   "specularPower": 20, "isolate": -400}
-Only opacity and color are required. "isolate" keeps the largest region above a value.
+   "specularPower": 20, "isolate": -400, "integration": "data", "classification": "pre-integrated",
+   "unitInterval": 10, "isosurfaces": [[300, 0.9, 0.8, 0.7, 0.5], [-300, 0.2]], "silhouette": "exact",
+   "transmittedLight": "diffuse"}
+Only opacity and color are required. "isolate" keeps the largest region above a value. In data space
+opacity is per unitInterval of the data's values; the options of the same name go before the file.
 Presets cranium, bone, muscle and skin expect CT in Hounsfield units.)";
 
 void AddOptics(CLI::App& command, OpticsSettings& optics)
@@ -90,6 +94,26 @@ void AddAmbient(CLI::App& command, AmbientSettings& ambient)
   command.add_option("--precision", ambient.Precision, "Bits per stored number")
     ->check(CLI::IsMember({ 8, 16, 32 }))
     ->capture_default_str()
+    ->group(group);
+}
+
+void AddLighting(CLI::App& command, PictureOptions& options)
+{
+  const auto group = "Lighting transfer function";
+  LightingSettings& lighting = options.Picture.Lighting;
+  options.AddLightingFile(command)->group(group);
+  command.add_option("--light-scale", lighting.Scale, "Factor of all light by a lighting transfer function")
+    ->check(CLI::Range(0.0, 1.0e4))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--gradient-step", lighting.StepLength,
+      "Distance of the two samples along the gradient, in voxels of the finest spacing")
+    ->check(CLI::Range(0.01, 100.0))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_flag("--hybrid-normals", lighting.HybridNormals, "Light from the side of the lower opacity alone")
     ->group(group);
 }
 
@@ -169,13 +193,21 @@ void PictureOptions::AddTo(CLI::App& command)
     ->check(CLI::IsMember(PresetNames()))
     ->excludes("--transfer-function")
     ->group("Classification");
+  this->Integration.AddTo(command);
   AddOptics(command, this->Picture.Optics);
   AddAmbient(command, this->Picture.Ambient);
+  AddLighting(command, *this);
   AddView(command, *this);
   command.add_option("--quality", this->Picture.Quality, "Preset of time against accuracy")
     ->check(CLI::IsMember({ "custom", "draft", "balanced", "reference" }))
     ->capture_default_str();
   command.footer(FunctionFormat);
+}
+
+CLI::Option* PictureOptions::AddLightingFile(CLI::App& command)
+{
+  return command.add_option("--lighting", this->LightingFile,
+    "Lighting transfer function (JSON): light by pairs of scalars along the gradient");
 }
 
 Volume PictureOptions::Load()
@@ -203,6 +235,10 @@ Volume PictureOptions::Load()
   {
     this->Picture.Function = ReadTransferFunction(this->FunctionFile);
   }
+  if (!this->LightingFile.empty())
+  {
+    this->Picture.Lighting.Function = ReadLighting(this->LightingFile);
+  }
   Volume volume;
   {
     const Progress reading("Reading " + this->File);
@@ -214,6 +250,8 @@ Volume PictureOptions::Load()
     const std::string preset = this->PresetName.empty() && project ? "cranium" : this->PresetName;
     this->Picture.Function = preset.empty() ? FromData(volume.Image) : Preset(preset);
   }
+  this->Integration.Replace(this->Picture.Function.Integration);
+  CheckIntegration(this->Picture.Function.Integration, this->Picture.Function.Shade);
   if (this->Picture.Function.HasIsolate)
   {
     const Progress isolating("Isolating the largest region");

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each row of docs/support.md that the reflectance term does not support: it says so once, and the
+// Each row of docs/support.md that the reflectance term, or, with the argument --lighting, a lighting
+// transfer function does not support: it says so once, and the
 // picture is VTK's own.
 
 #include "TestScene.h"
@@ -74,6 +75,8 @@ void UseSlice(TestScene& scene)
   scene.Mapper->SetBlendModeToSlice();
 }
 
+bool UsesLighting = false;
+
 void CheckRefused(Check& check, const std::string& name, const Setting& setting)
 {
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
@@ -81,10 +84,18 @@ void CheckRefused(Check& check, const std::string& name, const Setting& setting)
   setting(expected);
   TestScene scene;
   setting(scene);
-  scene.Property->SetReflectanceModelToWard();
+  if (UsesLighting)
+  {
+    LightEverywhere(scene, 1.0, 1.0, 1.0);
+  }
+  else
+  {
+    scene.Property->SetReflectanceModelToWard();
+  }
   Warnings warnings(scene.Optics);
   const std::vector<unsigned char> first = scene.Render();
-  scene.Property->SetGlossiness(0.1);
+  scene.Property->SetLightScale(3.0);
+  scene.Property->SetGlossiness(vtkOpticsVolumeProperty::Ward, 0.1);
   const std::vector<unsigned char> second = scene.Render();
   check.That(expected.Render() == first, name + ": the picture is not VTK's");
   check.That(first == second, name + ": a setting of the refused model changes the picture");
@@ -94,8 +105,9 @@ void CheckRefused(Check& check, const std::string& name, const Setting& setting)
 }
 }
 
-int TestRefusedSettings(int, char*[])
+int TestRefusedSettings(int argc, char* argv[])
 {
+  UsesLighting = std::any_of(argv, argv + argc, [](char* word) { return std::string(word) == "--lighting"; });
   Check check;
   CheckRefused(check, "maximum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); });
   CheckRefused(check, "minimum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMinimumIntensity(); });

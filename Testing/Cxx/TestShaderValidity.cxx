@@ -67,8 +67,33 @@ void Validate(Check& check, const std::string& name, const std::string& text)
   check.That(!text.empty() && std::system(command.c_str()) == 0, name + ": " + path + " is not valid GLSL");
 }
 
+// Every model under a lighting transfer function, by every way to its pair of scalars.
+void ValidateLighting(Check& check)
+{
+  for (int model = vtkOpticsVolumeProperty::VTK; model <= vtkOpticsVolumeProperty::Lafortune; ++model)
+  {
+    for (int way = 0; way < 8; ++way)
+    {
+      TestScene scene;
+      scene.Window->SetSize(8, 8);
+      scene.Source->SetDimensions(8, 8, 8);
+      const ShaderText shader(scene.Mapper);
+      LightEverywhere(scene, 1.0, 1.0, 1.0);
+      scene.Property->SetReflectanceModel(model);
+      scene.Optics->SetScalarGradient(way % 2);
+      scene.Optics->SetLightingSamples(way / 2 % 2);
+      scene.Property->SetHybridNormals(way / 4 == 1);
+      scene.Render();
+      scene.Render();
+      const std::string name = std::string("Lighting-") + scene.Property->GetReflectanceModelAsString();
+      Validate(check, name + std::to_string(way), shader.Text);
+      check.That(shader.Text.find("in_opticsLightingTable") != std::string::npos, name + ": has no table");
+    }
+  }
+}
+
 // Projected tetrahedra: every silhouette, with and without isosurfaces.
-void TestTetrahedra(Check& check)
+void ValidateTetrahedra(Check& check)
 {
   Grid grid = MakeBox(1, [](double, double, double z) { return z; });
   for (int silhouette = 0; silhouette < 4; ++silhouette)
@@ -93,7 +118,8 @@ void TestTetrahedra(Check& check)
 int TestShaderValidity(int, char*[])
 {
   Check check;
-  TestTetrahedra(check);
+  ValidateLighting(check);
+  ValidateTetrahedra(check);
   for (const Choice& model : Models)
   {
     for (const Choice& storage : Storages)
