@@ -176,32 +176,46 @@ std::vector<float> PreIntegration::Cumulative() const
 }
 
 //------------------------------------------------------------------------------
+// Whether the opacity is 0 where a stretch begins, on either side.
+bool PreIntegration::EndsPeak(std::size_t stretch) const
+{
+  return stretch == 0 || stretch == this->Stretches.size() || this->Stretches[stretch - 1].transparentAbove ||
+    this->Stretches[stretch].transparentBelow;
+}
+
+//------------------------------------------------------------------------------
+// The entry at a place in [0, 1], up to rounding; -1 between entries.
+int PreIntegration::EntryAt(double place) const
+{
+  const double entry = place * (this->Size - 1);
+  return std::abs(entry - std::round(entry)) < 1.0e-6 ? static_cast<int>(std::lround(entry)) : -1;
+}
+
+//------------------------------------------------------------------------------
 // Sums along the stretches that begin anew at each end of a peak. At the end itself the sum is that of the
 // whole peak, so that the entries before it interpolate to the right value.
 std::vector<float> PreIntegration::DepthsBehind() const
 {
   std::vector<float> depths(2 * this->Size, 0.0F);
-  const double cells = this->Size - 1.0;
-  const auto entryAt = [cells](double place) { return static_cast<int>(std::lround(place * cells)); };
-  const auto isAtEntry = [cells, entryAt](
-                           double place) { return std::abs(place * cells - entryAt(place)) < 1.0e-6; };
   double below = 0.0;
-  for (const PlacedStretch& stretch : this->Stretches)
+  for (std::size_t i = 0; i < this->Stretches.size(); ++i)
   {
-    below = (stretch.transparentBelow ? 0.0 : below) + stretch.depth;
-    const double end = stretch.begin + stretch.width;
-    if (isAtEntry(end))
+    const PlacedStretch& stretch = this->Stretches[i];
+    below = (this->EndsPeak(i) ? 0.0 : below) + stretch.depth;
+    const int entry = this->EntryAt(stretch.begin + stretch.width);
+    if (entry >= 0)
     {
-      depths[2 * entryAt(end) + 1] = Stored(below);
+      depths[2 * entry + 1] = Stored(below);
     }
   }
   double above = 0.0;
-  for (auto stretch = this->Stretches.rbegin(); stretch != this->Stretches.rend(); ++stretch)
+  for (std::size_t i = this->Stretches.size(); i-- > 0;)
   {
-    above = (stretch->transparentAbove ? 0.0 : above) + stretch->depth;
-    if (isAtEntry(stretch->begin))
+    above = (this->EndsPeak(i + 1) ? 0.0 : above) + this->Stretches[i].depth;
+    const int entry = this->EntryAt(this->Stretches[i].begin);
+    if (entry >= 0)
     {
-      depths[2 * entryAt(stretch->begin)] = Stored(above);
+      depths[2 * entry] = Stored(above);
     }
   }
   return depths;

@@ -36,6 +36,8 @@ private:
   void MakeHalfCells();
   void MakeBlocks();
   Stretch AroundEntry(int entry) const;
+  bool EndsPeak(std::size_t stretch) const;
+  int EntryAt(double place) const;
   Slab Segment(int first, int last, double scale) const;
 
   int Size;

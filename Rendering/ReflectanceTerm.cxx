@@ -57,8 +57,7 @@ void AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features)
   {
     features.Add(OpticsFeature::ExtinctionSurface);
     features.Add(OpticsFeature::OpacityFormulas);
-    features.Add(
-      IntegratesInData(scene) ? OpticsFeature::SurfaceInData : OpticsFeature::SurfaceOfExtinction);
+    features.Add(IntegratesInData(scene) ? OpticsFeature::SurfaceInData : OpticsFeature::SurfaceOfExtinction);
     AddExtinctionFeatures(scene, features);
   }
   if (IsAnisotropic(scene))

@@ -173,8 +173,7 @@ bool NeedsCentralDifferences(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool NeedsScalarGradient(const OpticsScene& scene)
 {
-  const bool forLight =
-    ReplacesLighting(scene) && scene.Optics->GetReflectanceModel() == Property::VTK;
+  const bool forLight = ReplacesLighting(scene) && scene.Optics->GetReflectanceModel() == Property::VTK;
   return forLight || HasSilhouettes(scene);
 }
 

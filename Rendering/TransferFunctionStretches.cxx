@@ -177,9 +177,8 @@ public:
 
   std::array<glm::dvec3, 2> Color(int piece) const
   {
-    const double* rgb = &this->Colors[6 * piece];
-    const glm::dvec3 quarter(rgb[0], rgb[1], rgb[2]);
-    const glm::dvec3 threeQuarters(rgb[3], rgb[4], rgb[5]);
+    const glm::dvec3 quarter = this->ValidColor(2 * piece);
+    const glm::dvec3 threeQuarters = this->ValidColor(2 * piece + 1);
     std::array<glm::dvec3, 2> ends = EndsOfLine(quarter, threeQuarters);
     ends[0] = glm::max(ends[0], glm::min(glm::dvec3(0.0), quarter));
     ends[1] = glm::max(ends[1], glm::min(glm::dvec3(0.0), threeQuarters));
@@ -193,6 +192,14 @@ private:
   }
 
   double Valid(int i) const { return this->Opacities[i] > 0.0 ? std::min(this->Opacities[i], 1.0) : 0.0; }
+
+  glm::dvec3 ValidColor(int i) const
+  {
+    const auto valid = [this](int component) {
+      return std::isfinite(this->Colors[component]) ? this->Colors[component] : 0.0;
+    };
+    return glm::dvec3(valid(3 * i), valid(3 * i + 1), valid(3 * i + 2));
+  }
 
   std::vector<double> Opacities;
   std::vector<double> Colors;

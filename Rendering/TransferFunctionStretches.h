@@ -23,11 +23,11 @@ struct TransferFunctions
   double Attenuation = 1.0;       // per normalised scalar, or length, at an optical depth of 1
 };
 
-// A stretch that begins or ends where the opacity is 0 or the functions jump ends a peak there.
+// With what tells where a peak of opacity ends.
 struct PlacedStretch : Stretch
 {
   double begin = 0.0;
-  bool transparentBelow = false; // opacity 0 at the lower end
+  bool transparentBelow = false; // opacity 0 at its lower end
   bool transparentAbove = false;
 };
 

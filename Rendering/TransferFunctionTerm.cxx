@@ -15,8 +15,7 @@
 namespace
 {
 template <typename Function>
-void TableRange(
-  const OpticsScene& scene, int rangeType, int component, Function* function, double range[2])
+void TableRange(const OpticsScene& scene, int rangeType, int component, Function* function, double range[2])
 {
   ScalarRange(scene, component, range);
   if (rangeType == vtkGPUVolumeRayCastMapper::NATIVE)

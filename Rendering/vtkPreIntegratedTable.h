@@ -20,7 +20,7 @@
  * The functions are integrated from node to node: lines exactly (also towards opacity 1), VTK's sharp
  * curves and colour spaces other than RGB in 16 parts between two nodes, steps and coincident nodes as they
  * are. So a peak narrower than a cell of the table has its whole opacity. Opacity 1 counts as an optical
- * depth of 1e6. Opacities outside [0, 1] count as the nearest one inside, NaN as 0. Outside of the
+ * depth of 1e6. Opacities outside [0, 1] count as the nearest one inside, and NaN, also of a colour, as 0. Outside of the
  * functions' nodes their Clamping counts; scalars outside the table's range are those at its ends.
  *
  * Update() does the work, and only after a change. Independent of OpenGL.
@@ -111,8 +111,9 @@ public:
 
   /**
    * Size pairs: the optical depth in data space from an entry's scalar to the end of its peak, towards
-   * larger and towards smaller scalars; both are 0 where the opacity is. A peak ends where the opacity is
-   * 0. What TransmittedShare() of DataSpace.glsl needs. Null if the table is empty.
+   * larger and towards smaller scalars. A peak ends where the opacity is 0, or the range. Between peaks both
+   * are 0; at the end of one, the depth into it is that of the whole peak. What TransmittedShare() of
+   * DataSpace.glsl needs. Null if the table is empty.
    */
   const float* GetDepthsBehind() VTK_SIZEHINT(2 * GetSize());
 

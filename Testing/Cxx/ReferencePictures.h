@@ -37,7 +37,8 @@ struct Frames
   }
   std::shared_ptr<reference::FrameField> Stored()
   {
-    return std::make_shared<reference::GridFrameField>(this->normals->GetOutput(), this->covariance->GetOutput());
+    return std::make_shared<reference::GridFrameField>(
+      this->normals->GetOutput(), this->covariance->GetOutput());
   }
 };
 
@@ -63,11 +64,11 @@ inline reference::Scene SceneOf(TestScene& stage, Frames& frames)
 }
 
 // The reference over the stage's background, against its picture.
-inline reference::Difference CompareShown(TestScene& stage, const reference::Image& truth, vtkImageData* picture)
+inline reference::Difference CompareShown(
+  TestScene& stage, const reference::Image& truth, vtkImageData* picture)
 {
   const double* background = stage.Renderer->GetBackground();
-  return reference::Compare(
-    truth, picture, reference::Vector(background[0], background[1], background[2]));
+  return reference::Compare(truth, picture, reference::Vector(background[0], background[1], background[2]));
 }
 }
 

@@ -110,8 +110,8 @@ void CheckSetting(Check& check, const Setting& setting, int model, bool shade)
   auto picture = FloatPicture(stage);
   const Image truth = Render(SceneOf(stage, frames));
   const Difference difference = CompareShown(stage, truth, picture);
-  const std::string name = std::string(setting.name) + ", " +
-    (shade ? stage.Property->GetReflectanceModelAsString() : "not shaded");
+  const std::string name =
+    std::string(setting.name) + ", " + (shade ? stage.Property->GetReflectanceModelAsString() : "not shaded");
   std::cout << name << ": rms " << 255.0 * difference.rootMeanSquare << "/255, largest "
             << 255.0 * difference.maximum << "/255\n";
   check.That(255.0 * difference.rootMeanSquare < setting.largestRootMeanSquare, name);

@@ -132,6 +132,25 @@ void TestAttenuations(Check& check)
     byDefault.Table->GetMean(0.3, 0.6), explicitly.Table->GetMean(0.3, 0.6), 1.0e-4);
 }
 
+// Physical space: the colour's own attenuation, from none to all of it, and the same mean.
+void TestLengths(Check& check)
+{
+  for (double length : { 1.0e-30, 1.0e-3, 1.0, 1.0e3, 1.0e30 })
+  {
+    TestTable t(64);
+    t.Color->AddRGBPoint(0.0, 0.0, 0.5, 1.0);
+    t.Color->AddRGBPoint(1.0, 1.0, 0.5, 0.0);
+    t.Opacity->AddPoint(0.5, 0.5);
+    t.Table->SetSegmentLength(length);
+    CheckEntries(check, "a length of " + std::to_string(length), t);
+    check.Near("mean of a constant function", t.Table->GetMean(0.1, 0.7), std::log(2.0), 1.0e-6);
+    const double depth = std::log(2.0) * length;
+    const double along = depth < 1.0e-4 ? 0.5 : 1.0 / depth - 1.0 / std::expm1(depth);
+    check.Near("colour upwards", t.Entry(0, 63)[0], along, 1.0 / 512.0);
+    check.Near("colour downwards", t.Entry(63, 0)[0], 1.0 - along, 1.0 / 512.0);
+  }
+}
+
 void TestInvalidOpacities(Check& check)
 {
   TestTable t(64);
@@ -140,7 +159,36 @@ void TestInvalidOpacities(Check& check)
   t.Opacity->AddPoint(0.4, 7.0);
   t.Opacity->AddPoint(0.6, std::numeric_limits<double>::quiet_NaN());
   t.Opacity->AddPoint(0.8, 0.5);
-  CheckEntries(check, "opacities outside of [0, 1]", t);
+  t.Color->AddRGBPoint(1.0, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.5);
+  CheckEntries(check, "opacities outside of [0, 1], and no numbers", t);
+}
+
+// What VTK's functions can be set to.
+void TestFunctionSettings(Check& check)
+{
+  TestTable t(64);
+  t.Color->AddRGBPoint(0.1, 0.2, 0.4, 0.8);
+  t.Color->AddRGBPoint(0.9, 0.9, 0.5, 0.1);
+  t.Opacity->AddPoint(0.31, 0.5);
+  t.Opacity->AddPoint(0.62, 0.5);
+  for (int space :
+    { VTK_CTF_RGB, VTK_CTF_HSV, VTK_CTF_LAB, VTK_CTF_DIVERGING, VTK_CTF_LAB_CIEDE2000, VTK_CTF_STEP })
+  {
+    t.Color->SetColorSpace(space);
+    CheckEntries(check, "colour space " + std::to_string(space), t);
+  }
+  t.Color->SetColorSpaceToRGB();
+  t.Color->SetScaleToLog10();
+  CheckEntries(check, "a logarithmic scale", t);
+  const double middle = std::sqrt(0.1 * 0.9); // 0.3 is 19.9/63 of the way
+  check.Near("its middle", t.Table->GetMean(middle, middle), std::log(2.0), 1.0e-6);
+  double rgba[4];
+  t.Table->GetEntry(middle, middle, rgba);
+  check.Near("colour of its middle", rgba[0], 0.55, 0.003);
+  t.Opacity->ClampingOff();
+  CheckEntries(check, "without clamping", t);
+  const double depth = std::log(2.0) * 0.31;
+  check.Near("nothing outside of the nodes", t.Depth(0.0, 1.0), depth, 1.0e-6);
 }
 
 void TestLargestSize(Check& check)
@@ -212,7 +260,9 @@ int TestPreIntegratedTableExtremes(int, char*[])
   TestSteps(check);
   TestRanges(check);
   TestAttenuations(check);
+  TestLengths(check);
   TestInvalidOpacities(check);
+  TestFunctionSettings(check);
   TestLargestSize(check);
   TestErrors(check);
   TestRebuild(check);

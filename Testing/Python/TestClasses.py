@@ -6,7 +6,8 @@ import os
 import tempfile
 
 import volumeoptics
-from vtkmodules.vtkRenderingCore import vtkVolume, vtkVolumeProperty
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
@@ -57,6 +58,24 @@ def check_preset():
     volumeoptics.vtkOpticsVolumeMapper.SetDefaultOptics(None)
 
 
+def check_table():
+    opacity = vtkPiecewiseFunction()
+    opacity.AddPoint(0.0, 0.5)
+    color = vtkColorTransferFunction()
+    color.AddRGBPoint(0.0, 0.25, 0.5, 1.0)
+    table = volumeoptics.vtkPreIntegratedTable()
+    table.SetOpacityFunction(opacity)
+    table.SetColorFunction(color)
+    table.SetSize(4)
+    assert table.Update()
+    assert len(table.GetEntries()) == 64 and table.GetEntries()[:3] == (0.25, 0.5, 1.0)
+    assert len(table.GetCumulative()) == 4 and len(table.GetDepthsBehind()) == 8
+    rgba = [0.0] * 4
+    table.GetEntry(0.0, 1.0, rgba)
+    assert rgba[:3] == [0.25, 0.5, 1.0] and abs(rgba[3] - 69.3147) < 1e-3
+
+
+check_table()
 check_property()
 check_override()
 check_preset()

@@ -60,7 +60,7 @@ public:
   const glm::dvec4& Color() const { return this->Sum; }
 
 private:
-  // Surfaces part the segment; all parts of a post-classified one are of the sample at its back.
+  // Surfaces part the segment; what is post-classified is so by the sample at the segment's own back.
   void AddLinear(const Place& front, const Place& back)
   {
     Place begin = front;
@@ -138,55 +138,47 @@ private:
     }
   }
 
-  // What the transfer functions make of a segment; shaded at its sample.
+  // What the transfer functions make of a part of a segment; classified and lit at the segment's sample.
   void AddInterior(const Place& front, const Place& back, const Place& sampled)
   {
-    const double length = back.at - front.at;
-    if (!(length > 0.0))
+    if (!(back.at > front.at))
     {
       return;
     }
     const bool isData = this->World.integrationSpace == IntegrationSpace::Data;
     const SegmentIntegral integral =
       isData ? this->InDataSpace(front, back, sampled) : this->InPhysicalSpace(front, back, sampled);
-    const double opacity =
-      isData ? this->WithSilhouette(integral, front, back, sampled) : integral.opacity;
+    const double opacity = isData ? this->WithSilhouette(integral, front, back, sampled) : integral.opacity;
     if (!(opacity > 0.0))
     {
       return;
     }
     const Vector color =
-      integral.opacity > 0.0 ? integral.color / integral.opacity : this->World.Color(back.scalar);
+      integral.opacity > 0.0 ? integral.color / integral.opacity : this->World.Color(sampled.scalar);
     const double share =
       isData ? this->TransmittedShare(integral.depth, front, back) : 1.0 - integral.opacity;
     this->Composite(opacity, Radiance(this->World, this->SampleAt(sampled), color, share));
   }
+
+  bool IsPost() const { return this->World.classification == Classification::Post; }
 
   // Lengths are the dataset's, in units of ScalarOpacityUnitDistance.
   SegmentIntegral InPhysicalSpace(const Place& front, const Place& back, const Place& sampled) const
   {
     const double length = (back.at - front.at) / this->World.unitDistance;
     const double change = std::abs(back.scalar - front.scalar);
-    if (this->World.classification == Classification::Post || change == 0.0)
-    {
-      return this->Transfer.At(sampled.scalar, length);
-    }
-    return this->Transfer.Between(front.scalar, back.scalar, length / change);
+    return this->IsPost() || change == 0.0
+      ? this->Transfer.At(sampled.scalar, length)
+      : this->Transfer.Between(front.scalar, back.scalar, length / change);
   }
 
+  // Post-classified: eq. 11. The change of the scalar is the projected gradient times the step, and adds up.
   SegmentIntegral InDataSpace(const Place& front, const Place& back, const Place& sampled) const
   {
     const double attenuation = 1.0 / this->World.EffectiveUnitInterval();
-    if (this->World.classification == Classification::Post)
-    {
-      return this->Transfer.At(sampled.scalar, attenuation * std::abs(back.scalar - front.scalar));
-    }
-    return this->Transfer.Between(front.scalar, back.scalar, attenuation);
-  }
-
-  Vector GradientAt(const Place& place) const
-  {
-    return this->World.field->Gradient(this->Path.origin + place.at * this->Path.direction);
+    return this->IsPost()
+      ? this->Transfer.At(sampled.scalar, attenuation * std::abs(back.scalar - front.scalar))
+      : this->Transfer.Between(front.scalar, back.scalar, attenuation);
   }
 
   double WithSilhouette(
@@ -197,7 +189,8 @@ private:
       return integral.opacity;
     }
     const double scalarStep = std::abs(back.scalar - front.scalar);
-    const double gradientStep = glm::length(this->GradientAt(sampled)) * (back.at - front.at);
+    const Vector gradient = this->World.field->Gradient(this->SampleAt(sampled).position);
+    const double gradientStep = glm::length(gradient) * (back.at - front.at);
     const double mean = scalarStep > 0.0
       ? integral.depth / scalarStep
       : this->Transfer.At(sampled.scalar, 1.0 / this->World.EffectiveUnitInterval()).depth;

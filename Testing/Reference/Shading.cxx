@@ -45,10 +45,10 @@ Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector
 }
 
 // By the scalar's own normal: its sign does not matter.
-bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& gradient, const Vector& toLight)
+bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& toLight)
 {
   return scene.transmittedLight != TransmittedLight::Off &&
-    optics::LightSide(gradient, toLight, sample.toViewer) < 0.0;
+    optics::LightSide(scene.field->Gradient(sample.position), toLight, sample.toViewer) < 0.0;
 }
 
 // The paper's exponent of specular reflection is VTK's specular power.
@@ -114,7 +114,7 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-6);
     ambient += light.ambient;
-    if (IsTransmitted(scene, sample, gradient, illumination.toLight))
+    if (IsTransmitted(scene, sample, illumination.toLight))
     {
       continue;
     }
@@ -240,13 +240,12 @@ Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
   {
     extinction = ExtinctionGradientAt(scene, sample);
   }
-  const Vector gradient = scene.field->Gradient(sample.position);
   Vector diffuse(0.0);
   Vector specular(0.0);
   for (const Light& light : scene.lights)
   {
     const Illumination illumination = IlluminationAt(scene, light, sample.position);
-    if (IsTransmitted(scene, sample, gradient, illumination.toLight))
+    if (IsTransmitted(scene, sample, illumination.toLight))
     {
       continue;
     }
