@@ -7,12 +7,16 @@ set(filter_classes
   vtkAmbientCovarianceFilter
   vtkAnalyticVolumeSource
   vtkAnisotropyFilter
+  vtkGradientAlignedHistogram
   vtkOpticsImageFilter
   vtkPrincipalCurvatureFilter
   vtkSobelNormalFilter
   vtkStructuralDissimilarity)
 set(rendering_classes
   vtkHeadlessRenderWindow
+  vtkLightingTransferFunction
+  vtkLightingTransferFunctionItem
+  vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty
@@ -26,6 +30,7 @@ set(filter_sources
   CovarianceKernel
   CovarianceSampler
   GaussianFilter
+  GradientAlignedSampler
   ImageGrid
   LiteralSampling
   PrincipalCurvature
@@ -35,7 +40,9 @@ set(filter_sources
   SobelStencil)
 set(rendering_sources
   AttenuatedStretch
+  BoundarySearch
   DefaultOptics
+  FrameGeometry
   FrameProvider
   FrameTerm
   FrameTextures
@@ -44,7 +51,18 @@ set(rendering_sources
   HeadlessContextOSMesa
   IntegrationTerm
   IsosurfaceTexture
+  HistogramPicture
+  JsonDocument
   LightUniforms
+  LightingBoundary
+  LightingEditor
+  LightingEditorPainter
+  LightingJson
+  LightingTable
+  LightingTableTexture
+  LightingTransferFunctionTerm
+  MultiSampleRules
+  MultiSampleTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene
@@ -53,6 +71,7 @@ set(rendering_sources
   PreIntegration
   RayUniforms
   ReflectanceTerm
+  ScalarPair
   SceneNeeds
   TransferFunctionStretches
   TransferFunctionTerm

@@ -3,6 +3,7 @@
 
 #include "VolumeScene.h"
 
+#include "Lighting.h"
 #include "UserError.h"
 
 #include "vtkAmbientCovarianceFilter.h"
@@ -107,6 +108,7 @@ void VolumeScene::Apply(const PictureSettings& picture)
   this->PreparationSeconds = 0.0;
   ::Apply(picture.Function, this->Property);
   this->ApplyOptics(picture.Optics);
+  ::Apply(picture.Lighting, this->Property);
   this->ApplyAmbient(picture.Ambient);
   this->ApplyQuality(picture.Quality);
   this->Mapper->SetSampleDistance(

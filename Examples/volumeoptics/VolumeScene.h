@@ -57,6 +57,7 @@ public:
   }
   vtkRenderWindow* GetWindow();
   vtkRenderer* GetRenderer() { return this->Renderer; }
+  vtkOpticsVolumeProperty* GetProperty() { return this->Property; }
   vtkOpticsVolumeMapper* GetMapper() { return this->Mapper; }
 
 private:

@@ -72,6 +72,29 @@ void TestIntegration(Check& check)
   expect(0, "the sample distance", [&] { scene.Mapper->SetSampleDistance(0.05F); });
   expect(1, "ScalarGradient", [&] { scene.Optics->SetScalarGradientToStored(); });
 }
+
+// Editing boundaries, in particular, is interactive.
+void TestLighting(Check& check)
+{
+  TestScene scene;
+  vtkOpticsVolumeProperty* property = scene.Property;
+  LightEverywhere(scene, 0.2, 0.7, 0.2);
+  vtkLightingTransferFunction* function = property->GetLightingTransferFunction();
+  Expectation expect{ check, scene };
+  const double low[2] = { 0.0, 0.4 }, high[2] = { 0.6, 1.0 };
+  const std::vector<unsigned char> before = scene.Render();
+  expect(0, "a boundary's range", [&] { function->SetRange(0, 0, 0.0, 0.5); });
+  check.That(LargestDifference(before, scene.Render()) > 10, "the edit of a boundary is not drawn");
+  expect(0, "another boundary", [&] { function->AddBoundary(low, high, 0.1, 0.8, 0.3); });
+  expect(0, "LightScale", [&] { property->SetLightScale(3.0); });
+  expect(0, "GradientStepLength", [&] { property->SetGradientStepLength(2.0); });
+  expect(0, "LightingTableSize", [&] { scene.Optics->SetLightingTableSize(64); });
+  expect(0, "TablePrecision", [&] { scene.Optics->SetTablePrecision(16); });
+  expect(0, "the opacity function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
+  expect(1, "HybridNormals", [&] { property->HybridNormalsOn(); });
+  expect(0, "the opacity function with hybrid normals", [&] { scene.Opacity->AddPoint(0.7, 0.2); });
+  expect(1, "LightingSamples", [&] { scene.Optics->SetLightingSamplesToExtrapolated(); });
+}
 }
 
 int TestProgramLinks(int, char*[])
@@ -79,5 +102,6 @@ int TestProgramLinks(int, char*[])
   Check check;
   TestReflectance(check);
   TestIntegration(check);
+  TestLighting(check);
   return check.ExitCode();
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each row of docs/support.md that the reflectance term or the integral does not support: it says so once,
-// and the picture is VTK's own.
+// Each row of docs/support.md that the reflectance term, the integral, or, with the argument --lighting, a
+// lighting transfer function does not support: it says so once, and the picture is VTK's own.
 
 #include "SupportedSettings.h"
 
@@ -82,6 +82,11 @@ const Model Reflectance = { "reflectance", [](TestScene& s) { s.Property->SetRef
   [](TestScene& s) { s.Property->SetGlossiness(0.1); } };
 const Model Integral = { "integral", [](TestScene& s) { s.Property->SetIntegrationSpaceToData(); },
   [](TestScene& s) { s.Property->SetClassificationToPreIntegrated(); } };
+const Model Lighting = { "lighting transfer function",
+  [](TestScene& s) { LightEverywhere(s, 1.0, 1.0, 1.0); },
+  [](TestScene& s) { s.Property->SetLightScale(3.0); } };
+
+std::vector<Model> Models;
 
 void CheckRefusedBy(Check& check, const Model& model, const std::string& setName, const Setting& setting)
 {
@@ -105,8 +110,10 @@ void CheckRefusedBy(Check& check, const Model& model, const std::string& setName
 
 void CheckRefused(Check& check, const std::string& name, const Setting& setting)
 {
-  CheckRefusedBy(check, Reflectance, name, setting);
-  CheckRefusedBy(check, Integral, name, setting);
+  for (const Model& model : Models)
+  {
+    CheckRefusedBy(check, model, name, setting);
+  }
 }
 
 void CheckRefusedByIntegral(Check& check)
@@ -128,8 +135,11 @@ void CheckRefusedByIntegral(Check& check)
 }
 }
 
-int TestRefusedSettings(int, char*[])
+int TestRefusedSettings(int argc, char* argv[])
 {
+  const bool isLighting =
+    std::any_of(argv, argv + argc, [](char* word) { return std::string(word) == "--lighting"; });
+  Models = isLighting ? std::vector<Model>{ Lighting } : std::vector<Model>{ Reflectance, Integral };
   Check check;
   CheckRefused(check, "maximum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); });
   CheckRefused(check, "minimum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMinimumIntensity(); });
@@ -148,6 +158,9 @@ int TestRefusedSettings(int, char*[])
     function->AddPoint(0.0, 1.0);
     s.Property->SetLabelGradientOpacity(1, function);
   });
-  CheckRefusedByIntegral(check);
+  if (!isLighting)
+  {
+    CheckRefusedByIntegral(check);
+  }
   return check.ExitCode();
 }

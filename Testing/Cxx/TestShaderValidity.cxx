@@ -147,11 +147,59 @@ void ValidateAll(Check& check, const std::vector<Choices>& lists, const Choices&
     ValidateAll(check, lists, more);
   }
 }
+
+// Every model under a lighting transfer function, by every way to its pair of scalars.
+void ValidateLighting(Check& check)
+{
+  for (int model = vtkOpticsVolumeProperty::VTK; model <= vtkOpticsVolumeProperty::Lafortune; ++model)
+  {
+    for (int way = 0; way < 8; ++way)
+    {
+      TestScene scene;
+      scene.Window->SetSize(8, 8);
+      scene.Source->SetDimensions(8, 8, 8);
+      const ShaderText shader(scene.Mapper);
+      LightEverywhere(scene, 1.0, 1.0, 1.0);
+      scene.Property->SetReflectanceModel(model);
+      scene.Optics->SetScalarGradient(way % 2);
+      scene.Optics->SetLightingSamples(way / 2 % 2);
+      scene.Property->SetHybridNormals(way / 4 == 1);
+      scene.Render();
+      scene.Render();
+      const std::string name = std::string("Lighting-") + scene.Property->GetReflectanceModelAsString();
+      Validate(check, name + std::to_string(way), shader.Text);
+      check.That(shader.Text.find("in_opticsLightingTable") != std::string::npos, name + ": has no table");
+    }
+  }
+}
+
+// Projected tetrahedra: every silhouette, with and without isosurfaces.
+void ValidateTetrahedra(Check& check)
+{
+  Grid grid = MakeBox(1, [](double, double, double z) { return z; });
+  for (int silhouette = 0; silhouette < 4; ++silhouette)
+  {
+    for (int surfaces = 0; surfaces < 2; ++surfaces)
+    {
+      TetrahedraScene scene(TetrahedraScene::Projected, grid, 8);
+      const ShaderText shader(scene.Tetrahedra);
+      scene.Property->SetSilhouette(silhouette);
+      for (int i = 0; i < surfaces; ++i)
+      {
+        scene.Property->AddIsosurface(0.5, 1.0, 1.0, 1.0, 0.5);
+      }
+      scene.Render();
+      const std::string name = std::string("Tetrahedra-") + scene.Property->GetSilhouetteAsString();
+      Validate(check, name + (surfaces ? "-Isosurfaces" : ""), shader.Text);
+    }
+  }
+}
 }
 
 int TestShaderValidity(int, char*[])
 {
   Check check;
+  ValidateLighting(check);
   ValidateAll(check, { Models, Storages, Gradients, Lights });
   ValidateAll(check, { Integrals, Silhouettes, Surfaces, ModelsOfIntegrals });
   ValidateAll(check, { Integrals, Surfaces, Components });

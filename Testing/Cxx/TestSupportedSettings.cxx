@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each row of docs/support.md that the reflectance term supports. With the ambient coefficient 1 and
+// Each row of docs/support.md that the reflectance term, or, with the argument --lighting, a lighting
+// transfer function supports. With the ambient coefficient 1 and
 // the others 0 a sample's radiance is its colour: the picture must be VTK's without shading, whatever
 // clips, crops, masks or moves the volume. With highlights it must differ from that, and be finite.
 
@@ -19,23 +20,36 @@ std::vector<unsigned char> DrawUnshaded(const Row& row)
   return scene.Render();
 }
 
-void CheckRow(Check& check, const Row& row)
+using Light = void (*)(TestScene&, double specular);
+
+void LightByModel(TestScene& scene, double specular)
+{
+  scene.Property->SetReflectanceModelToWard();
+  scene.Property->SetAmbient(1.0);
+  scene.Property->SetDiffuse(0.0);
+  scene.Property->SetSpecular(specular);
+}
+
+void LightByFunction(TestScene& scene, double specular)
+{
+  LightEverywhere(scene, 1.0, 0.0, specular);
+}
+
+void CheckRow(Check& check, const Row& row, Light light)
 {
   const std::string name = row.Name;
   TestScene scene;
   row.Apply(scene);
   Warnings warnings(scene.Optics);
-  scene.Property->SetReflectanceModelToWard();
-  scene.Property->SetAmbient(1.0);
-  scene.Property->SetDiffuse(0.0);
-  scene.Property->SetSpecular(0.0);
+  light(scene, 0.0);
   const std::vector<unsigned char> unshaded = DrawUnshaded(row);
   const int difference = LargestDifference(unshaded, scene.Render());
   // one code for the order of float operations
   check.That(difference <= 1, name + ": differs from the unshaded picture by " + std::to_string(difference));
-  check.That(scene.Optics->GetActiveTerms() == "Reflectance", name + ": the term is not active");
+  const char* terms = light == LightByModel ? "Reflectance" : "Reflectance,LightingTransferFunction";
+  check.That(scene.Optics->GetActiveTerms() == terms, name + ": a term is not active");
 
-  scene.Property->SetSpecular(1.0);
+  light(scene, 1.0);
   const int highlight = LargestDifference(unshaded, scene.Render());
   check.That(highlight > 10, name + ": the highlight is of " + std::to_string(highlight) + " codes only");
   check.That(AreFinite(scene.RenderFloat()), name + ": a pixel is not finite");
@@ -101,12 +115,18 @@ void CheckRenderToImage(Check& check)
 }
 }
 
-int TestSupportedSettings(int, char*[])
+int TestSupportedSettings(int argc, char* argv[])
 {
   Check check;
+  const bool isLighting =
+    std::any_of(argv, argv + argc, [](char* word) { return std::string(word) == "--lighting"; });
   for (const Row& row : Rows)
   {
-    CheckRow(check, row);
+    CheckRow(check, row, isLighting ? LightByFunction : LightByModel);
+  }
+  if (isLighting)
+  {
+    return check.ExitCode();
   }
   CheckDirectionMatrix(check);
   CheckRenderToImage(check);
