@@ -84,6 +84,7 @@ const Choices Silhouettes = {
 
 const Choices Surfaces = {
   { "Smooth", [](TestScene&) {} },
+  { "Transmitted", [](TestScene& scene) { scene.Property->SetTransmittedLightToDiffuse(); } },
   { "Isosurfaces",
     [](TestScene& scene) {
       scene.Property->AddIsosurface(0.5, 0.5);
