@@ -13,6 +13,9 @@ set(filter_classes
   vtkSobelNormalFilter
   vtkStructuralDissimilarity)
 set(rendering_classes
+  vtkDataSpaceProjectedTetrahedraMapper
+  vtkDataSpaceRayCastFunction
+  vtkDataSpaceRayIntegrator
   vtkHeadlessRenderWindow
   vtkLightingTransferFunction
   vtkLightingTransferFunctionItem
@@ -39,6 +42,11 @@ set(filter_sources
   ScalarSource
   SobelStencil)
 set(rendering_sources
+  DataSpaceClassification
+  ProjectedTetrahedraPainter
+  ProjectedTetrahedraTarget
+  TetrahedraVertices
+  TetrahedralGrid
   AttenuatedStretch
   BoundarySearch
   DefaultOptics

@@ -18,6 +18,8 @@
 #include "ColorOfSegment.h"
 #include "ColorTable.h"
 #include "DataSpace.h"
+#include "DataSpaceInterior.h"
+#include "DataSpaceSegment.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
@@ -54,6 +56,12 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
+#include "ProjectedTetrahedraDec.h"
+#include "ProjectedTetrahedraInterior.h"
+#include "ProjectedTetrahedraIsosurfaces.h"
+#include "ProjectedTetrahedraMain.h"
+#include "ProjectedTetrahedraSegment.h"
+#include "ProjectedTetrahedraVertex.h"
 #include "RayDec.h"
 #include "RayInit.h"
 #include "Reflectance.h"
@@ -328,4 +336,27 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
   const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
   return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraVertexShader()
+{
+  return ProjectedTetrahedraVertex;
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraFragmentShader(const std::string& color)
+{
+  return std::string(ProjectedTetrahedraDec) + Opacity + DataSpace + color + ProjectedTetrahedraMain;
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces)
+{
+  // a constant, so that what the mode does not need is not compiled
+  const std::string interior =
+    "int SilhouetteMode() { return " + std::to_string(silhouette) + "; }\n" + DataSpaceInterior;
+  return ProjectedTetrahedraFragmentShader(hasIsosurfaces
+      ? interior + ProjectedTetrahedraIsosurfaces + DataSpaceSegment + ProjectedTetrahedraSegment
+      : interior + ProjectedTetrahedraInterior);
 }

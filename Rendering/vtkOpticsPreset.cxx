@@ -5,6 +5,7 @@
 
 #include "JsonDocument.h"
 
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -24,30 +25,21 @@ struct Setting
   bool (*Set)(Property* property, const Json::Value& value);
 };
 
-bool SetReflectanceModel(Property* property, const Json::Value& value)
+// The choice that the property itself calls by this name.
+template <int NumberOfChoices, void (Property::*Set)(int), const char* (Property::*Name)()>
+bool SetByName(Property* property, const Json::Value& value)
 {
-  const int current = property->GetReflectanceModel();
-  for (int model = 0; value.isString() && model < Property::NumberOfReflectanceModels; ++model)
+  const vtkNew<Property> trial;
+  for (int choice = 0; value.isString() && choice < NumberOfChoices; ++choice)
   {
-    property->SetReflectanceModel(model);
-    if (value.asString() == property->GetReflectanceModelAsString())
+    (trial->*Set)(choice);
+    if (value.asString() == (trial->*Name)())
     {
+      (property->*Set)(choice);
       return true;
     }
   }
-  property->SetReflectanceModel(current);
   return false;
-}
-
-bool SetFrameSource(Property* property, const Json::Value& value)
-{
-  const std::string name = value.isString() ? value.asString() : "";
-  if (name != "Covariance" && name != "Curvature")
-  {
-    return false;
-  }
-  property->SetFrameSource(name == "Curvature" ? Property::Curvature : Property::Covariance);
-  return true;
 }
 
 bool SetGlossiness(Property* property, const Json::Value& value)
@@ -89,14 +81,79 @@ bool SetSpecularFromExtinction(Property* property, const Json::Value& value)
   return value.isBool();
 }
 
+bool SetScalarOpacityUnitInterval(Property* property, const Json::Value& value)
+{
+  if (value.isNumeric())
+  {
+    property->SetScalarOpacityUnitInterval(value.asDouble());
+  }
+  return value.isNumeric();
+}
+
+bool HasNumbers(const Json::Value& list, unsigned int count)
+{
+  return list.isArray() && list.size() == count &&
+    std::all_of(list.begin(), list.end(), [](const Json::Value& item) { return item.isNumeric(); });
+}
+
+bool IsIsosurface(const Json::Value& surface)
+{
+  const std::size_t keys = surface.isObject() && surface.isMember("Color") ? 3 : 2;
+  return surface.isObject() && surface.size() == keys && surface["Value"].isNumeric() &&
+    surface["Opacity"].isNumeric() && (keys == 2 || HasNumbers(surface["Color"], 3));
+}
+
+// All of the list, or none of it.
+bool SetIsosurfaces(Property* property, const Json::Value& value)
+{
+  if (!value.isArray() || !std::all_of(value.begin(), value.end(), IsIsosurface))
+  {
+    return false;
+  }
+  property->RemoveAllIsosurfaces();
+  for (const Json::Value& surface : value)
+  {
+    const double scalar = surface["Value"].asDouble();
+    const double opacity = surface["Opacity"].asDouble();
+    const Json::Value& color = surface["Color"];
+    if (color.isNull())
+    {
+      property->AddIsosurface(scalar, opacity);
+    }
+    else
+    {
+      property->AddIsosurface(scalar, color[0].asDouble(), color[1].asDouble(), color[2].asDouble(), opacity);
+    }
+  }
+  return true;
+}
+
 // In the order in which they are set: what depends on the model comes after it.
 const Setting Settings[] = {
-  { "ReflectanceModel", "\"VTK\", \"None\", \"BlinnPhong\", \"Ward\" or \"Lafortune\"", SetReflectanceModel },
+  { "ReflectanceModel", "\"VTK\", \"None\", \"BlinnPhong\", \"Ward\" or \"Lafortune\"",
+    SetByName<Property::NumberOfReflectanceModels, &Property::SetReflectanceModel,
+      &Property::GetReflectanceModelAsString> },
   { "Glossiness", "a number, with ReflectanceModel BlinnPhong, Ward or Lafortune", SetGlossiness },
   { "AnisotropyScale", "a number, with ReflectanceModel Ward or Lafortune", SetAnisotropyScale },
   { "ScatteringAnisotropy", "a number in [-1, 1]", SetScatteringAnisotropy },
   { "SpecularFromExtinction", "true or false", SetSpecularFromExtinction },
-  { "FrameSource", "\"Covariance\" or \"Curvature\"", SetFrameSource },
+  { "FrameSource", "\"Covariance\" or \"Curvature\"",
+    SetByName<Property::Curvature + 1, &Property::SetFrameSource, &Property::GetFrameSourceAsString> },
+  { "IntegrationSpace", "\"Physical\" or \"Data\"",
+    SetByName<Property::Data + 1, &Property::SetIntegrationSpace, &Property::GetIntegrationSpaceAsString> },
+  { "Classification", "\"Post\" or \"PreIntegrated\"",
+    SetByName<Property::PreIntegrated + 1, &Property::SetClassification,
+      &Property::GetClassificationAsString> },
+  { "ScalarOpacityUnitInterval", "a number of at least 0", SetScalarOpacityUnitInterval },
+  { "Isosurfaces",
+    "a list of {\"Value\": number, \"Opacity\": number in [0, 1], \"Color\": [red, green, blue]}, the color "
+    "optional",
+    SetIsosurfaces },
+  { "Silhouette", "\"Off\", \"Exact\", \"Clamped\" or \"Gradient\"",
+    SetByName<Property::Gradient + 1, &Property::SetSilhouette, &Property::GetSilhouetteAsString> },
+  { "TransmittedLight", "\"Off\", \"Diffuse\" or \"DiffuseAndSpecular\"",
+    SetByName<Property::DiffuseAndSpecular + 1, &Property::SetTransmittedLight,
+      &Property::GetTransmittedLightAsString> },
 };
 
 std::string NamesOfSettings()

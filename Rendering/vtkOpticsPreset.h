@@ -7,10 +7,14 @@
  * The file is one object whose keys are the settings' names, all optional:
  * @code{.json}
  * { "ReflectanceModel": "Ward", "Glossiness": 0.2, "AnisotropyScale": 10, "ScatteringAnisotropy": 0,
- *   "SpecularFromExtinction": true, "FrameSource": "Covariance" }
+ *   "SpecularFromExtinction": true, "FrameSource": "Covariance",
+ *   "IntegrationSpace": "Data", "Classification": "PreIntegrated", "ScalarOpacityUnitInterval": 10,
+ *   "Isosurfaces": [{ "Value": 300, "Opacity": 0.4, "Color": [0.9, 0.8, 0.7] }, { "Value": -300, "Opacity": 0.1 }],
+ *   "Silhouette": "Exact", "TransmittedLight": "Diffuse" }
  * @endcode
  * Glossiness and AnisotropyScale are those of the file's reflectance model, wherever in the file it
- * stands. Comments are allowed. A key or value that is not understood is left out with a warning
+ * stands. Isosurfaces take the place of those that the property has; one without a colour has that of the
+ * colour function. Comments are allowed. A key or value that is not understood is left out with a warning
  * that names the valid ones; a number outside its range becomes the nearest one of the range, as
  * vtkOpticsVolumeProperty does it.
  */

@@ -12,6 +12,7 @@
 #include "Progress.h"
 #include "UserError.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -25,10 +26,26 @@ struct GalleryOptions
   std::string Cranium = DefaultCranium;
   bool WithoutCranium = false;
   bool WithoutScores = false;
+  std::string Only;
   std::vector<std::string> ScoreRules = { "equal-size", "saturated" };
   bool Headless = false;
   bool Force = false;
 };
+
+std::vector<GallerySection> ChosenSections(const GalleryOptions& options)
+{
+  std::vector<GallerySection> sections = GalleryList(!options.WithoutCranium);
+  const auto isLeftOut = [&](const GallerySection& section) {
+    return section.Title.find(options.Only) == std::string::npos;
+  };
+  sections.erase(std::remove_if(sections.begin(), sections.end(), isLeftOut), sections.end());
+  if (sections.empty())
+  {
+    throw UserError(
+      "No section's title contains '" + options.Only + "'. Leave --only out to see the titles.");
+  }
+  return sections;
+}
 
 std::size_t CountPictures(const std::vector<GallerySection>& sections)
 {
@@ -49,7 +66,9 @@ void DrawSections(GalleryContents& contents, GalleryStudio& studio)
     for (const GalleryPicture& picture : section.Pictures)
     {
       drawing.Update(contents.Results.size() / count, section.Title + ": " + picture.Title);
-      contents.Results[picture.Name] = studio.Draw(picture.Name, picture.Field, picture.Settings);
+      contents.Results[picture.Name] = section.HasScores
+        ? studio.Draw(picture.Name, picture.Field, picture.Settings)
+        : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
     }
     drawing.Line(section.Title);
   }
@@ -85,7 +104,7 @@ void MakeGallery(const GalleryOptions& options)
   }
   GalleryStudio studio(options.Folder, options.Cranium, options.Headless, options.Force);
   GalleryContents contents;
-  contents.Sections = GalleryList(!options.WithoutCranium);
+  contents.Sections = ChosenSections(options);
   DrawSections(contents, studio);
   if (!options.WithoutScores)
   {
@@ -111,6 +130,7 @@ void AddGalleryCommand(CLI::App& program)
   command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
   command->add_option("--cranium", options->Cranium, "CT of the cranium (.inv3)")->capture_default_str();
   command->add_flag("--without-cranium", options->WithoutCranium, "Synthetic fields only");
+  command->add_option("--only", options->Only, "Only sections whose title contains this text");
   command->add_flag("--without-scores", options->WithoutScores, "Leave out the table of scores");
   command
     ->add_option("--score-rule", options->ScoreRules,

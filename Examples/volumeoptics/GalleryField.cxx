@@ -8,8 +8,10 @@
 
 #include "vtkAnalyticVolumeSource.h"
 
+#include <vtkDataSetTriangleFilter.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <map>
 
@@ -24,6 +26,14 @@ vtkSmartPointer<vtkImageData> InVoxels(vtkAnalyticVolumeSource* source)
   image->SetSpacing(1.0, 1.0, 1.0);
   image->SetOrigin(0.0, 0.0, 0.0);
   return image;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> CutIntoTetrahedra(vtkImageData* image)
+{
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  cut->SetInputData(image);
+  cut->Update();
+  return cut->GetOutput();
 }
 
 using Maker = void (*)(vtkAnalyticVolumeSource*);
@@ -63,6 +73,21 @@ const std::map<std::string, Maker> Makers = {
       source->SetFieldToVortexTubes();
       source->SetDimensions(144, 144, 144);
     } },
+  { "coulomb",
+    [](vtkAnalyticVolumeSource* source) {
+      source->SetFieldToCoulombPotentials();
+      source->SetDimensions(128, 128, 128);
+    } },
+  { "orbital",
+    [](vtkAnalyticVolumeSource* source) {
+      source->SetFieldToHydrogenOrbital();
+      source->SetDimensions(128, 128, 128);
+    } },
+  { "bucky-tetrahedra",
+    [](vtkAnalyticVolumeSource* source) {
+      source->SetFieldToBuckyball();
+      source->SetDimensions(32, 32, 32);
+    } },
 };
 }
 
@@ -79,5 +104,9 @@ Volume GalleryField(const std::string& name, const std::string& craniumFile)
   Makers.at(name)(source);
   volume.Image = InVoxels(source);
   volume.Name = name;
+  if (name == "bucky-tetrahedra")
+  {
+    volume.Tetrahedra = CutIntoTetrahedra(volume.Image);
+  }
   return volume;
 }

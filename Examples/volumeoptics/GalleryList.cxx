@@ -229,5 +229,7 @@ std::vector<GallerySection> GalleryList(bool withCranium)
   {
     sections.push_back(section);
   }
+  const std::vector<GallerySection> integration = IntegrationSections(withCranium);
+  sections.insert(sections.end(), integration.begin(), integration.end());
   return sections;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the gallery shows: sections of pictures, after the figures of [Ament2015].
+// What the gallery shows: sections of pictures, after the figures of [Ament2015] and [Kraus2005].
 
 #ifndef GalleryList_h
 #define GalleryList_h
@@ -17,6 +17,7 @@ struct GalleryPicture
   std::string Title; // above the numbers
   std::string Field; // see GalleryField()
   PictureSettings Settings;
+  std::string Caption = ""; // what to see; empty: the settings of the reflectance
 };
 
 struct GallerySection
@@ -25,8 +26,12 @@ struct GallerySection
   std::string Text;
   std::size_t Columns = 3;
   std::vector<GalleryPicture> Pictures;
+  bool HasScores = true; // against the phase function alone
 };
 
 std::vector<GallerySection> GalleryList(bool withCranium);
+
+// Of the list: the integral in data space.
+std::vector<GallerySection> IntegrationSections(bool withCranium);
 
 #endif

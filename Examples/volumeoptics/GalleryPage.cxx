@@ -73,12 +73,17 @@ void PutPicture(std::ostream& page, const GalleryPicture& picture, const Picture
   page << "<figure><a href=\"" << result.File << "\"><img" << (isEnlarged ? " class=\"enlarged\"" : "")
        << " src=\"" << result.File << "\" alt=\"" << picture.Title
        << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
-       << SettingsText(picture.Settings) << "<br>frame " << TimeText(result.FrameSeconds);
+       << (picture.Caption.empty() ? SettingsText(picture.Settings) : picture.Caption) << "<br>frame "
+       << TimeText(result.FrameSeconds);
   if (result.PreparationSeconds > 0.0)
   {
     page << ", normals and covariance " << TimeText(result.PreparationSeconds);
   }
-  page << ", structural score " << Number("%.4f", result.Score) << "</figcaption></figure>\n";
+  if (!result.Reference.empty())
+  {
+    page << ", structural score " << Number("%.4f", result.Score);
+  }
+  page << "</figcaption></figure>\n";
 }
 
 void PutSection(std::ostream& page, std::size_t index, const GallerySection& section,
@@ -150,7 +155,8 @@ void WriteGalleryPage(const std::string& folder, const GalleryContents& contents
   page << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>VolumeOptics "
           "gallery</title>\n"
        << "<meta name=\"viewport\" content=\"width=device-width\">\n<style>" << Style
-       << "</style></head><body>\n<h1>VolumeOptics</h1>\n<p>Anisotropic ambient shading of volumes. "
+       << "</style></head><body>\n<h1>VolumeOptics</h1>\n<p>Optical models for volumes: anisotropic ambient "
+          "shading, and scale-invariant volume rendering. "
        << "Rendered on " << contents.Renderer << ".</p>\n<nav>";
   for (std::size_t i = 0; i < contents.Sections.size(); ++i)
   {

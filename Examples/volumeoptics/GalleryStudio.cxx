@@ -84,6 +84,12 @@ PictureResult GalleryStudio::Draw(
   return result;
 }
 
+PictureResult GalleryStudio::DrawUnscored(
+  const std::string& name, const std::string& field, const PictureSettings& picture)
+{
+  return this->DrawOnly("images/" + name + ".png", field, picture, Timed);
+}
+
 PictureResult GalleryStudio::DrawOnly(
   const std::string& file, const std::string& field, const PictureSettings& picture, Timing timing)
 {

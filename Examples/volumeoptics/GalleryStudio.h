@@ -40,6 +40,9 @@ public:
   // Draws the picture and its reference, unless both are there with the same settings.
   PictureResult Draw(
     const std::string& name, const std::string& field, const PictureSettings& picture, Timing timing = Timed);
+  // Without the reference, for pictures that the score says nothing about.
+  PictureResult DrawUnscored(
+    const std::string& name, const std::string& field, const PictureSettings& picture);
   // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
   std::string GetRendererName() const;
   int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }

@@ -19,8 +19,11 @@ const char* const FunctionFormat = R"(
 Transfer function (JSON), values in the data's units, opacity per unitDistance of world length:
   {"opacity": [[200, 0.0], [400, 0.9]], "color": [[200, 0.9, 0.8, 0.7], [3000, 1, 1, 1]],
    "unitDistance": 1.0, "shade": true, "ambient": 0.1, "diffuse": 0.7, "specular": 0.4,
-   "specularPower": 20, "isolate": -400}
-Only opacity and color are required. "isolate" keeps the largest region above a value.
+   "specularPower": 20, "isolate": -400, "integration": "data", "classification": "pre-integrated",
+   "unitInterval": 10, "isosurfaces": [[300, 0.9, 0.8, 0.7, 0.5], [-300, 0.2]], "silhouette": "exact",
+   "transmittedLight": "diffuse"}
+Only opacity and color are required. "isolate" keeps the largest region above a value. In data space
+opacity is per unitInterval of the data's values; the options of the same name go before the file.
 Presets cranium, bone, muscle and skin expect CT in Hounsfield units.)";
 
 void AddOptics(CLI::App& command, OpticsSettings& optics)
@@ -190,6 +193,7 @@ void PictureOptions::AddTo(CLI::App& command)
     ->check(CLI::IsMember(PresetNames()))
     ->excludes("--transfer-function")
     ->group("Classification");
+  this->Integration.AddTo(command);
   AddOptics(command, this->Picture.Optics);
   AddAmbient(command, this->Picture.Ambient);
   AddLighting(command, *this);
@@ -246,6 +250,8 @@ Volume PictureOptions::Load()
     const std::string preset = this->PresetName.empty() && project ? "cranium" : this->PresetName;
     this->Picture.Function = preset.empty() ? FromData(volume.Image) : Preset(preset);
   }
+  this->Integration.Replace(this->Picture.Function.Integration);
+  CheckIntegration(this->Picture.Function.Integration, this->Picture.Function.Shade);
   if (this->Picture.Function.HasIsolate)
   {
     const Progress isolating("Isolating the largest region");

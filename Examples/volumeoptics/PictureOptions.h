@@ -6,6 +6,7 @@
 #ifndef PictureOptions_h
 #define PictureOptions_h
 
+#include "IntegrationOptions.h"
 #include "PictureSettings.h"
 #include "VolumeFile.h"
 
@@ -19,6 +20,7 @@ struct PictureOptions
   virtual ~PictureOptions() = default;
 
   PictureSettings Picture;
+  IntegrationOptions Integration; // over those of the transfer function
   std::string File;
   std::string FunctionFile;
   std::string PresetName;

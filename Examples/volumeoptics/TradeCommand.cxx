@@ -5,6 +5,7 @@
 
 #include "Commands.h"
 #include "TradeCovariance.h"
+#include "TradeIntegration.h"
 #include "TradeShading.h"
 #include "TradeTable.h"
 
@@ -53,6 +54,21 @@ void AddShading(CLI::App& trade)
   command->callback([options] { TradeShading(*options); });
 }
 
+void AddIntegration(CLI::App& trade)
+{
+  const auto options = std::make_shared<IntegrationTradeOptions>();
+  CLI::App* command = trade.add_subcommand("integration",
+    "Post-classified and pre-integrated, in physical and data space: frames of the Marschner-Lobb signal "
+    "against the double-precision ray caster, by step length, table size and bits, smooth and spiky transfer "
+    "functions (CSV, SVG and figures)");
+  command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
+  command->add_option("--size", options->Size, "Width and height of the picture")
+    ->check(CLI::Range(16, 2048))
+    ->capture_default_str();
+  command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->callback([options] { TradeIntegration(*options); });
+}
+
 void AddTable(CLI::App& trade)
 {
   const auto options = std::make_shared<TableOptions>();
@@ -78,5 +94,6 @@ void AddTradeCommand(CLI::App& program)
   trade->require_subcommand(1);
   AddCovariance(*trade);
   AddShading(*trade);
+  AddIntegration(*trade);
   AddTable(*trade);
 }

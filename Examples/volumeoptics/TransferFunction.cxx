@@ -22,6 +22,7 @@ void to_json(json& object, const TransferFunction& function)
     { "unitDistance", function.UnitDistance }, { "shade", function.Shade }, { "ambient", function.Ambient },
     { "diffuse", function.Diffuse }, { "specular", function.Specular },
     { "specularPower", function.SpecularPower } };
+  PutIntegration(object, function.Integration);
   if (function.HasIsolate)
   {
     object["isolate"] = function.Isolate;
@@ -33,7 +34,7 @@ void from_json(const json& object, TransferFunction& function)
   for (const auto& item : object.items())
   {
     static const json known = TransferFunction{};
-    if (!known.contains(item.key()) && item.key() != "isolate")
+    if (!known.contains(item.key()) && item.key() != "isolate" && !IsIntegrationKey(item.key()))
     {
       throw UserError("unknown key '" + item.key() + "'");
     }
@@ -46,6 +47,7 @@ void from_json(const json& object, TransferFunction& function)
   function.Diffuse = object.value("diffuse", function.Diffuse);
   function.Specular = object.value("specular", function.Specular);
   function.SpecularPower = object.value("specularPower", function.SpecularPower);
+  function.Integration = GetIntegration(object);
   function.HasIsolate = object.contains("isolate");
   function.Isolate = object.value("isolate", 0.0);
   if (function.Opacity.empty() || function.Color.empty() || !(function.UnitDistance > 0.0))

@@ -7,6 +7,8 @@
 #ifndef TransferFunction_h
 #define TransferFunction_h
 
+#include "IntegrationSettings.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -26,6 +28,7 @@ struct TransferFunction
   double Diffuse = 0.7;
   double Specular = 0.4;
   double SpecularPower = 20.0;
+  IntegrationSettings Integration;
   // Only the largest region above Isolate is shown, where HasIsolate.
   bool HasIsolate = false;
   double Isolate = 0.0;

@@ -8,12 +8,14 @@
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <string>
 
 struct Volume
 {
   vtkSmartPointer<vtkImageData> Image;
+  vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra; // drawn in place of the image, where there are some
   std::string Name;
   // Where the face looks along y: -1 as in DICOM (left, posterior, superior), +1 as in NIfTI.
   double Front = -1.0;

@@ -7,6 +7,7 @@
 #include "UserError.h"
 
 #include "vtkAmbientCovarianceFilter.h"
+#include "vtkDataSpaceProjectedTetrahedraMapper.h"
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -17,6 +18,7 @@
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkPNGWriter.h>
+#include <vtkProjectedTetrahedraMapper.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTimerLog.h>
@@ -107,6 +109,8 @@ void VolumeScene::Apply(const PictureSettings& picture)
 {
   this->PreparationSeconds = 0.0;
   ::Apply(picture.Function, this->Property);
+  ::Apply(picture.Function.Integration, this->Property);
+  this->ApplyMapper(picture.Function.Integration);
   this->ApplyOptics(picture.Optics);
   ::Apply(picture.Lighting, this->Property);
   this->ApplyAmbient(picture.Ambient);
@@ -117,6 +121,25 @@ void VolumeScene::Apply(const PictureSettings& picture)
   this->Renderer->SetBackground(picture.Background.data());
   this->ApplyCamera(picture.Camera);
   this->ApplyLights(picture.Lights);
+}
+
+// VTK's own for tetrahedra in physical space.
+void VolumeScene::ApplyMapper(const IntegrationSettings& integration)
+{
+  if (!this->Data.Tetrahedra)
+  {
+    return;
+  }
+  const bool inDataSpace = integration.Space == "data";
+  if (!this->Tetrahedra ||
+    inDataSpace != (this->Tetrahedra->IsA("vtkDataSpaceProjectedTetrahedraMapper") != 0))
+  {
+    this->Tetrahedra = inDataSpace ? vtkSmartPointer<vtkProjectedTetrahedraMapper>(
+                                       vtkSmartPointer<vtkDataSpaceProjectedTetrahedraMapper>::New())
+                                   : vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
+    this->Tetrahedra->SetInputData(this->Data.Tetrahedra);
+    this->Actor->SetMapper(this->Tetrahedra);
+  }
 }
 
 void VolumeScene::ApplyOptics(const OpticsSettings& optics)

@@ -18,6 +18,7 @@
 
 class vtkImageData;
 class vtkOpticsVolumeMapper;
+class vtkProjectedTetrahedraMapper;
 class vtkOpticsVolumeProperty;
 class vtkRenderer;
 class vtkRenderWindow;
@@ -61,6 +62,7 @@ public:
   vtkOpticsVolumeMapper* GetMapper() { return this->Mapper; }
 
 private:
+  void ApplyMapper(const IntegrationSettings& integration);
   void ApplyOptics(const OpticsSettings& optics);
   void ApplyAmbient(const AmbientSettings& ambient);
   void ApplyQuality(const std::string& quality);
@@ -74,6 +76,7 @@ private:
   vtkNew<vtkVolume> Actor;
   vtkNew<vtkOpticsVolumeMapper> Mapper;
   vtkNew<vtkOpticsVolumeProperty> Property;
+  vtkSmartPointer<vtkProjectedTetrahedraMapper> Tetrahedra; // where the volume has some
   std::function<void(double)> OnProgress;
   double PreparationStart = 0.0;
   double PreparationSeconds = 0.0;

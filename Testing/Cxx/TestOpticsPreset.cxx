@@ -59,6 +59,53 @@ void CheckWarning(const Result& result, const std::string& about, const std::str
   check.That(
     result.Warnings.find(valid) != std::string::npos, "the warning about " + about + " says " + valid);
 }
+
+void CheckIntegration(const std::string& file)
+{
+  Result all = ReadText(file,
+    R"({ "IntegrationSpace": "Data", "Classification": "PreIntegrated", "ScalarOpacityUnitInterval": 2.5,
+         "Isosurfaces": [ { "Value": 300, "Opacity": 0.5, "Color": [0.25, 0.5, 1] },
+                          { "Opacity": 0.125, "Value": -10 } ],
+         "Silhouette": "Clamped", "TransmittedLight": "DiffuseAndSpecular" })");
+  vtkOpticsVolumeProperty* property = all.Property;
+  check.That(all.Warnings.empty() && all.IsRead, "every setting of the integral is read: " + all.Warnings);
+  check.That(property->GetIntegrationSpace() == vtkOpticsVolumeProperty::Data, "space");
+  check.That(property->GetClassification() == vtkOpticsVolumeProperty::PreIntegrated, "classification");
+  check.That(property->GetScalarOpacityUnitInterval() == 2.5, "unit interval");
+  check.That(property->GetSilhouette() == vtkOpticsVolumeProperty::Clamped, "silhouette");
+  check.That(
+    property->GetTransmittedLight() == vtkOpticsVolumeProperty::DiffuseAndSpecular, "transmitted light");
+  check.That(property->GetNumberOfIsosurfaces() == 2, "number of isosurfaces");
+  double color[3] = { 0.0, 0.0, 0.0 };
+  property->GetIsosurfaceColor(0, color);
+  check.That(property->GetIsosurfaceValue(0) == 300.0 && property->GetIsosurfaceOpacity(0) == 0.5 &&
+      property->GetIsosurfaceHasColor(0) && color[0] == 0.25 && color[1] == 0.5 && color[2] == 1.0,
+    "isosurface with a colour");
+  check.That(property->GetIsosurfaceValue(1) == -10.0 && property->GetIsosurfaceOpacity(1) == 0.125 &&
+      !property->GetIsosurfaceHasColor(1),
+    "isosurface without a colour");
+
+  CheckWarning(ReadText(file, R"({ "IntegrationSpace": "data" })"), "IntegrationSpace", "\"Data\"");
+  CheckWarning(ReadText(file, R"({ "Classification": true })"), "Classification", "PreIntegrated");
+  CheckWarning(ReadText(file, R"({ "Silhouette": "On" })"), "Silhouette", "Clamped");
+  CheckWarning(ReadText(file, R"({ "TransmittedLight": "Specular" })"), "TransmittedLight", "Diffuse");
+  CheckWarning(
+    ReadText(file, R"({ "ScalarOpacityUnitInterval": "10" })"), "ScalarOpacityUnitInterval", "at least 0");
+}
+
+// One isosurface that is not understood leaves all of the list out.
+void CheckBrokenIsosurfaces(const std::string& file)
+{
+  for (const char* broken : { R"(7)", R"([7])", R"([{ "Value": 1 }])",
+         R"([{ "Value": 1, "Opacity": "0.5" }])", R"([{ "Value": 1, "Opacity": 0.5, "Colour": [1, 1, 1] }])",
+         R"([{ "Value": 1, "Opacity": 0.5, "Color": [1, 1] }])",
+         R"([{ "Value": 1, "Opacity": 0.5 }, { "Value": 2, "Opacity": 0.5, "Color": 1 }])" })
+  {
+    const Result result = ReadText(file, std::string(R"({ "Isosurfaces": )") + broken + " }");
+    CheckWarning(result, "Isosurfaces", "\"Color\": [red, green, blue]");
+    check.That(result.Property->GetNumberOfIsosurfaces() == 0, std::string("none of ") + broken);
+  }
+}
 }
 
 int TestOpticsPreset(int argc, char* argv[])
@@ -85,6 +132,9 @@ int TestOpticsPreset(int argc, char* argv[])
   CheckWarning(ReadText(file, R"({ "FrameSource": "Both" })"), "FrameSource", "Curvature");
   CheckWarning(ReadText(file, R"({ "SpecularFromExtinction": 1 })"), "SpecularFromExtinction", "true");
   CheckWarning(ReadText(file, R"({ "ScatteringAnisotropy": "g" })"), "ScatteringAnisotropy", "[-1, 1]");
+
+  CheckIntegration(file);
+  CheckBrokenIsosurfaces(file);
 
   std::ofstream(file) << R"({ "ReflectanceModel": "Phong" })";
   const Result kept = ReadFile(file, vtkOpticsVolumeProperty::Ward);

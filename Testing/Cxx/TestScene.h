@@ -7,6 +7,7 @@
 #define TestScene_h
 
 #include "Check.h"
+#include "FloatTarget.h"
 #include "vtkAnalyticVolumeSource.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkOpticsVolumeMapper.h"
@@ -15,18 +16,13 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
-#include "vtkFramebufferPass.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkOpenGLRenderer.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,27 +80,7 @@ struct TestScene
       pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
   }
 
-  // RGBA of the renderer on a target of float, which shows what 8 bits hide.
-  std::vector<float> RenderFloat()
-  {
-    this->Window->Render(); // vtkFramebufferPass draws no volume in a window's first frame
-    vtkNew<vtkRenderStepsPass> steps;
-    vtkNew<vtkFramebufferPass> target;
-    target->SetDelegatePass(steps);
-    target->SetColorFormat(vtkTextureObject::Float32);
-    auto* renderer = vtkOpenGLRenderer::SafeDownCast(this->Renderer);
-    renderer->SetPass(target);
-    this->Window->Render();
-    vtkTextureObject* texture = target->GetColorTexture();
-    std::vector<float> pixels(std::size_t(4) * texture->GetWidth() * texture->GetHeight());
-    texture->Activate();
-    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, pixels.data());
-
-    texture->Deactivate();
-    renderer->SetPass(nullptr);
-    target->ReleaseGraphicsResources(this->Window);
-    return pixels;
-  }
+  std::vector<float> RenderFloat() { return ::RenderFloat(this->Window, this->Renderer); }
 
   vtkNew<vtkAnalyticVolumeSource> Source;
   vtkNew<vtkOpticsVolumeMapper> Optics;
