@@ -95,6 +95,12 @@
 #include "SurfaceFlag.h"
 #include "SurfaceInData.h"
 #include "SurfaceOfExtinction.h"
+#include "Transmitted.h"
+#include "TransmittedDec.h"
+#include "TransmittedNone.h"
+#include "TransmittedShare.h"
+#include "TransmittedSide.h"
+#include "TransmittedSurface.h"
 
 #include <vector>
 
@@ -132,6 +138,7 @@ struct Row
 const Row Table[] = {
   { F::SampleScalar, &BaseDec, SampleScalar },
   { F::IntegralInData, &BaseDec, SurfaceFlag },
+  { F::Transmitted, &BaseDec, TransmittedDec },
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
 
@@ -140,6 +147,7 @@ const Row Table[] = {
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
   { F::OpacityFormulas, &ComputeLightingDec, Opacity },
+  { F::Integral, &ComputeLightingDec, DataSpace },
   { F::ExtinctionSurface, &ComputeLightingDec, Reflectance },
   { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
   { F::FrameLookup, &ComputeLightingDec, NormalLookup },
@@ -191,8 +199,10 @@ const Row Table[] = {
   { F::ScalarGradientCentral, &GradientPlace, ScalarGradientOfSample },
   { F::HybridNormals, &SurfacePlace, HybridSurface },
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
+  { F::Transmitted, &SurfacePlace, TransmittedSurface },
+  { F::Transmitted, &LightPlace, TransmittedSide },
+  { F::Transmitted, &TransmissionPlace, Transmitted },
 
-  { F::Integral, &ComputeRayDirectionDec, DataSpace },
   { F::Integral, &ComputeRayDirectionDec, IntegralDec },
   { F::ColorTable, &ComputeRayDirectionDec, ColorTable },
   { F::NoColorTable, &ComputeRayDirectionDec, NoColorTable },
@@ -208,6 +218,8 @@ const Row Table[] = {
   { F::SilhouetteOn, &ComputeRayDirectionDec, SilhouetteGeometry },
   { F::SilhouetteExact, &ComputeRayDirectionDec, SilhouetteExact },
   { F::SilhouetteClamped, &ComputeRayDirectionDec, SilhouetteClamped },
+  { F::TransmittedNone, &ComputeRayDirectionDec, TransmittedNone },
+  { F::Transmitted, &ComputeRayDirectionDec, TransmittedShare },
   { F::Integral, &ComputeRayDirectionDec, SegmentSmooth },
   { F::IsosurfacesNone, &ComputeRayDirectionDec, IsosurfacesNone },
   { F::Isosurfaces, &ComputeRayDirectionDec, Isosurfaces },

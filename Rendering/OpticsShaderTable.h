@@ -68,6 +68,8 @@ enum class OpticsFeature
   SilhouetteOn, // any but off
   SilhouetteExact,
   SilhouetteClamped,
+  TransmittedNone,
+  Transmitted,
   HiddenHalf,
   HiddenByCropping,
   IsosurfacesNone,

@@ -49,7 +49,7 @@ void AddExtinctionFeatures(const OpticsScene& scene, OpticsFeatures& features)
 
 void AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
-  if (HasSurface(scene))
+  if (HasSurface(scene) || TransmitsLight(scene))
   {
     features.Add(OpticsFeature::Surface);
   }

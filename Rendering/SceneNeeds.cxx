@@ -92,7 +92,8 @@ bool IntegratesInData(const OpticsScene& scene)
 bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
-    (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction());
+    (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
+      TransmitsLight(scene));
 }
 
 //------------------------------------------------------------------------------
@@ -165,6 +166,13 @@ bool HasSilhouettes(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
+bool TransmitsLight(const OpticsScene& scene)
+{
+  return scene.Optics->GetTransmittedLight() != Property::TransmittedLightOff &&
+    scene.Volume->GetProperty()->GetShade() && IntegratesInData(scene);
+}
+
+//------------------------------------------------------------------------------
 bool HasGradientOpacity(const OpticsScene& scene)
 {
   vtkVolumeProperty* property = scene.Volume->GetProperty();
@@ -220,7 +228,8 @@ bool NeedsCentralDifferences(const OpticsScene& scene)
 bool NeedsScalarGradient(const OpticsScene& scene)
 {
   const bool forLight = ReplacesLighting(scene) &&
-    (scene.Optics->GetReflectanceModel() == Property::VTK || HasLightingTable(scene));
+    (scene.Optics->GetReflectanceModel() == Property::VTK || HasLightingTable(scene) ||
+      TransmitsLight(scene));
   return forLight || HasSilhouettes(scene) || ReplacesClassification(scene);
 }
 

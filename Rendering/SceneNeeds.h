@@ -40,6 +40,9 @@ bool IsPreIntegrated(const OpticsScene& scene);
 bool HasIsosurfaces(const OpticsScene& scene);
 bool HasSilhouettes(const OpticsScene& scene);
 
+/** Whether light shines through from behind. */
+bool TransmitsLight(const OpticsScene& scene);
+
 bool HasGradientOpacity(const OpticsScene& scene);
 bool Is2D(const OpticsScene& scene);
 bool HasLabels(const OpticsScene& scene);

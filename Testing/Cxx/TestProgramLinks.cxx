@@ -19,18 +19,68 @@ int LinksOf(TestScene& scene, const std::function<void()>& change)
   return scene.Optics->GetProgramLinkCount() - before;
 }
 
+struct Expectation
+{
+  Check& Result;
+  TestScene& Scene;
+
+  void operator()(int links, const std::string& name, const std::function<void()>& change)
+  {
+    const int actual = LinksOf(this->Scene, change);
+    this->Result.That(actual == links,
+      name + " linked " + std::to_string(actual) + " programs, not " + std::to_string(links));
+  }
+};
+
+void TestReflectance(Check& check)
+{
+  TestScene scene;
+  vtkOpticsVolumeProperty* property = scene.Property;
+  property->SetReflectanceModelToWard();
+  Expectation expect{ check, scene };
+  expect(0, "Glossiness", [&] { property->SetGlossiness(0.05); });
+  expect(0, "AnisotropyScale", [&] { property->SetAnisotropyScale(40.0); });
+  expect(0, "ScatteringAnisotropy", [&] { property->SetScatteringAnisotropy(0.4F); });
+  expect(0, "SpecularFromExtinction", [&] { property->SpecularFromExtinctionOff(); });
+  expect(0, "FrameSource", [&] { property->SetFrameSourceToCurvature(); });
+  expect(0, "FramePrecision", [&] { scene.Optics->SetFramePrecision(16); });
+  expect(0, "the camera", [&] { scene.Renderer->GetActiveCamera()->Azimuth(10.0); });
+  expect(0, "the transfer function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
+  expect(0, "two-sided lighting", [&] { scene.Renderer->TwoSidedLightingOff(); });
+  expect(1, "ReflectanceModel", [&] { property->SetReflectanceModelToLafortune(); });
+  expect(0, "a ReflectanceModel used before", [&] { property->SetReflectanceModelToWard(); });
+  expect(1, "ExtinctionGradient", [&] { scene.Optics->SetExtinctionGradientToCentralDifferences(); });
+}
+
+void TestIntegration(Check& check)
+{
+  TestScene scene;
+  vtkOpticsVolumeProperty* property = scene.Property;
+  property->SetIntegrationSpaceToData();
+  Expectation expect{ check, scene };
+  expect(0, "ScalarOpacityUnitInterval", [&] { property->SetScalarOpacityUnitInterval(0.3); });
+  expect(0, "the opacity function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
+  expect(0, "the colour function", [&] { scene.Color->AddRGBPoint(0.8, 0.9, 0.1, 0.1); });
+  expect(1, "the first isosurface", [&] { property->AddIsosurface(0.5, 0.5); });
+  expect(0, "the second isosurface", [&] { property->AddIsosurface(0.7, 1.0, 0.0, 0.0, 0.5); });
+  expect(0, "no isosurface, as before", [&] { property->RemoveAllIsosurfaces(); });
+  expect(1, "Silhouette", [&] { property->SetSilhouetteToExact(); });
+  expect(1, "Classification", [&] { property->SetClassificationToPreIntegrated(); });
+  expect(0, "the opacity function in a table", [&] { scene.Opacity->AddPoint(0.9, 0.2); });
+  expect(0, "PreIntegrationTableSize", [&] { scene.Optics->SetPreIntegrationTableSize(64); });
+  expect(0, "TablePrecision", [&] { scene.Optics->SetTablePrecision(16); });
+  expect(0, "the sample distance", [&] { scene.Mapper->SetSampleDistance(0.05F); });
+  expect(1, "ScalarGradient", [&] { scene.Optics->SetScalarGradientToStored(); });
+}
+
 // Editing boundaries, in particular, is interactive.
-void CheckLighting(Check& check)
+void TestLighting(Check& check)
 {
   TestScene scene;
   vtkOpticsVolumeProperty* property = scene.Property;
   LightEverywhere(scene, 0.2, 0.7, 0.2);
   vtkLightingTransferFunction* function = property->GetLightingTransferFunction();
-  const auto expect = [&](int links, const std::string& name, const std::function<void()>& change) {
-    const int actual = LinksOf(scene, change);
-    check.That(actual == links,
-      name + " linked " + std::to_string(actual) + " programs, not " + std::to_string(links));
-  };
+  Expectation expect{ check, scene };
   const double low[2] = { 0.0, 0.4 }, high[2] = { 0.6, 1.0 };
   const std::vector<unsigned char> before = scene.Render();
   expect(0, "a boundary's range", [&] { function->SetRange(0, 0, 0.0, 0.5); });
@@ -50,26 +100,8 @@ void CheckLighting(Check& check)
 int TestProgramLinks(int, char*[])
 {
   Check check;
-  TestScene scene;
-  vtkOpticsVolumeProperty* property = scene.Property;
-  property->SetReflectanceModelToWard();
-  const auto expect = [&](int links, const std::string& name, const std::function<void()>& change) {
-    const int actual = LinksOf(scene, change);
-    check.That(actual == links,
-      name + " linked " + std::to_string(actual) + " programs, not " + std::to_string(links));
-  };
-  expect(0, "Glossiness", [&] { property->SetGlossiness(0.05); });
-  expect(0, "AnisotropyScale", [&] { property->SetAnisotropyScale(40.0); });
-  expect(0, "ScatteringAnisotropy", [&] { property->SetScatteringAnisotropy(0.4F); });
-  expect(0, "SpecularFromExtinction", [&] { property->SpecularFromExtinctionOff(); });
-  expect(0, "FrameSource", [&] { property->SetFrameSourceToCurvature(); });
-  expect(0, "FramePrecision", [&] { scene.Optics->SetFramePrecision(16); });
-  expect(0, "the camera", [&] { scene.Renderer->GetActiveCamera()->Azimuth(10.0); });
-  expect(0, "the transfer function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
-  expect(0, "two-sided lighting", [&] { scene.Renderer->TwoSidedLightingOff(); });
-  expect(1, "ReflectanceModel", [&] { property->SetReflectanceModelToLafortune(); });
-  expect(0, "a ReflectanceModel used before", [&] { property->SetReflectanceModelToWard(); });
-  expect(1, "ExtinctionGradient", [&] { scene.Optics->SetExtinctionGradientToCentralDifferences(); });
-  CheckLighting(check);
+  TestReflectance(check);
+  TestIntegration(check);
+  TestLighting(check);
   return check.ExitCode();
 }
