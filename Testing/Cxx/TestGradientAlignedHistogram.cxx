@@ -59,7 +59,7 @@ void CheckRamp(Report& report)
   geometry.Spacing = { 1.0, 1.5, 0.5 };
   geometry.Origin = { 3.0, -7.0, 1.0 };
   geometry.Direction = testing::Rotation();
-  const glm::dvec3 slope(1.0, 2.0, -2.0);
+  const glm::dvec3 slope(2.0, -1.0, 2.0);
   const auto image = testing::MakeImage(
     geometry, [&](const glm::dvec3& p) { return glm::dot(slope, p); }, VTK_DOUBLE);
   vtkNew<vtkGradientAlignedHistogram> filter;
