@@ -4,6 +4,7 @@
 // What lighting transfer functions are for: light on the chosen boundary alone, none on noise, hybrid
 // normals that light what faces the light, the same of every type of scalars.
 
+#include "Optics.h"
 #include "TestScene.h"
 
 #include "vtkDoubleArray.h"
@@ -137,6 +138,16 @@ void CheckNoise(Check& check)
   check.AtMost("light on the noise", Energy(chosen), uniform / 10.0);
 }
 
+// The side of the light by the difference of densities: no jump, and 1 where there is none.
+void CheckHybridSide(Check& check)
+{
+  check.Near("side of growing density", optics::HybridSide(0.3, 0.1), 1.0, 0.0);
+  check.Near("side of equal density", optics::HybridSide(0.0, 0.1), 1.0, 0.0);
+  check.Near("side in the middle of the change", optics::HybridSide(-0.05, 0.1), 0.0, Rounding);
+  check.Near("side at the end of the change", optics::HybridSide(-0.1, 0.1), -1.0, Rounding);
+  check.Near("side of falling density", optics::HybridSide(-1.0, 0.1), -1.0, 0.0);
+}
+
 // A ball in a denser medium that is clear: gradients point out of it, light must fall on its front.
 double LitBall(Check& check, bool isTwoSided, bool isHybrid, double opacity)
 {
@@ -206,6 +217,7 @@ int TestLightingTerm(int, char*[])
   Check check;
   CheckBoundary(check);
   CheckNoise(check);
+  CheckHybridSide(check);
   CheckHybridNormals(check);
   CheckTypes(check);
   return check.ExitCode();
