@@ -109,9 +109,8 @@ Number Softly(const std::array<Number, 3>& p, const TurnedEllipsoid& ellipsoid)
     }
     q2 = q2 + Square(along);
   }
-  return ValueOf(q2) < cut
-    ? Number(1.0) / (Number(1.0) + Exp(Number(steepness) * (q2 - Number(1.0))))
-    : Number(0.0);
+  return ValueOf(q2) < cut ? Number(1.0) / (Number(1.0) + Exp(Number(steepness) * (q2 - Number(1.0))))
+                           : Number(0.0);
 }
 
 template <class Number>

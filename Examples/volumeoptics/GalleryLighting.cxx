@@ -67,9 +67,9 @@ GallerySection UniformOpacitySection()
   section.Pictures.push_back({ "lighting-opacity", "Opacity at the boundaries", "cranium", opaque });
 
   PictureSettings chosen = UniformCranium(0.012);
-  chosen.Lighting.Function = LightingOf({ { Everything, Everything, 0.0, { 0.03, 0.0, 0.0 } },
+  chosen.Lighting.Function = LightingOf({ { Everything, Everything, 0.0, { 0.08, 0.0, 0.0 } },
     { Air, Tissue, 150.0, { 0.0, 0.12, 0.06 } }, { Tissue, Bone, 120.0, { 0.0, 0.9, 0.5 } } });
-  chosen.Lighting.Scale = 12.0;
+  chosen.Lighting.Scale = 5.0;
   section.Pictures.push_back({ "lighting-chosen", "Lighting transfer function", "cranium", chosen });
   return section;
 }
@@ -77,14 +77,15 @@ GallerySection UniformOpacitySection()
 GallerySection SidesSection()
 {
   GallerySection section{ "The side of the light",
-    "One light from the left, half behind the head. Two-sided light falls on both sides of the bone alike, and the form is ambiguous; "
+    "One light from the left, half behind the head. Two-sided light falls on both sides of the bone alike, "
+    "and the form is ambiguous; "
     "hybrid normals, which turn to the side of the lower opacity, leave the right half in the shade.",
     2, {} };
   PictureSettings settings = UniformCranium(0.02);
   settings.Function.Opacity = { { -1024.0, 0.0 }, { 150.0, 0.0 }, { 350.0, 0.4 }, { 3100.0, 0.4 } };
   settings.Lights = { { -105.0, 20.0, 1.0 } };
-  settings.Lighting.Function =
-    LightingOf({ { Everything, Everything, 0.0, { 0.06, 0.0, 0.0 } }, { Tissue, Bone, 200.0, { 0.0, 0.9, 0.4 } } });
+  settings.Lighting.Function = LightingOf(
+    { { Everything, Everything, 0.0, { 0.06, 0.0, 0.0 } }, { Tissue, Bone, 200.0, { 0.0, 0.9, 0.4 } } });
   section.Pictures.push_back({ "sides-both", "Two-sided", "cranium", settings });
   settings.Lighting.HybridNormals = true;
   section.Pictures.push_back({ "sides-hybrid", "Hybrid normals", "cranium", settings });
@@ -94,18 +95,18 @@ GallerySection SidesSection()
 GallerySection FallingSection()
 {
   GallerySection section{ "Bone of falling opacity",
-    "The same boundary at an opacity of 0.1, 0.02 and 0.004 a millimetre. A light scale in inverse proportion "
-    "keeps it visible: colour may exceed opacity.",
+    "The same boundary at an opacity of 0.1, 0.02 and 0.004 a millimetre. Rising light keeps it visible: "
+    "colour may exceed opacity, and what is behind the front shows, too.",
     3, {} };
-  for (const double opacity : { 0.1, 0.02, 0.004 })
+  const std::pair<const char*, double> steps[] = { { "0.1", 4.0 }, { "0.02", 5.0 }, { "0.004", 12.0 } };
+  for (const auto& [opacity, scale] : steps)
   {
-    PictureSettings settings = UniformCranium(opacity);
+    PictureSettings settings = UniformCranium(std::stod(opacity));
     settings.Lighting.Function = LightingOf({ { Tissue, Bone, 120.0, { 0.1, 0.7, 0.4 } } });
-    settings.Lighting.Scale = 0.1 / opacity;
-    std::ostringstream number;
-    number << opacity;
-    section.Pictures.push_back(
-      { "falling-" + number.str(), "Opacity " + number.str(), "cranium", settings });
+    settings.Lighting.Scale = scale;
+    std::ostringstream title;
+    title << "Opacity " << opacity << ", light scale " << scale;
+    section.Pictures.push_back({ std::string("falling-") + opacity, title.str(), "cranium", settings });
   }
   return section;
 }
@@ -129,16 +130,17 @@ PictureSettings PlantPicture()
 GallerySection PlantSection()
 {
   GallerySection section{ "Branches and leaves: classification by three scalars",
-    "After Fig. 11 of [Lum2004]: branches are denser than leaves, leaves than air. The soft edges of branches "
-    "have the scalars of leaves, and a transfer function covers them in green. By the scalars on both sides as well, an edge that leads uphill to "
+    "After Fig. 11 of [Lum2004]: branches are denser than leaves, leaves than air. The soft edges of "
+    "branches "
+    "have the scalars of leaves, and a transfer function covers them in green. By the scalars on both sides "
+    "as well, an edge that leads uphill to "
     "a branch belongs to the branch.",
     2, {} };
   PictureSettings settings = PlantPicture();
   section.Pictures.push_back({ "plant-one", "Transfer function", "plant", settings });
   const std::array<double, 2> edge = { 0.1, 0.75 }, uphill = { 0.6, 2.0 };
   settings.Lighting.Rules = nlohmann::json{
-    { "Rules",
-      { { { "S", edge }, { "S1", uphill }, { "Color", { 0.6, 0.38, 0.2 } }, { "Opacity", 0.7 } } } }
+    { "Rules", { { { "S", edge }, { "S1", uphill }, { "Color", { 0.6, 0.38, 0.2 } }, { "Opacity", 0.7 } } } }
   }.dump();
   section.Pictures.push_back({ "plant-three", "By three scalars", "plant", settings });
   return section;

@@ -57,13 +57,12 @@ void AddFetches(std::vector<Setting>& settings)
   {
     const char* Name;
     int Gradient, Samples;
-  } ways[] = {
-    { "6 + 2: on the fly, fetched", vtkOpticsVolumeMapper::CentralDifferences, vtkOpticsVolumeMapper::Fetched },
+  } ways[] = { { "6 + 2: on the fly, fetched", vtkOpticsVolumeMapper::CentralDifferences,
+                 vtkOpticsVolumeMapper::Fetched },
     { "6: on the fly, extrapolated", vtkOpticsVolumeMapper::CentralDifferences,
       vtkOpticsVolumeMapper::Extrapolated },
     { "1 + 2: stored, fetched", vtkOpticsVolumeMapper::Stored, vtkOpticsVolumeMapper::Fetched },
-    { "1: stored, extrapolated", vtkOpticsVolumeMapper::Stored, vtkOpticsVolumeMapper::Extrapolated }
-  };
+    { "1: stored, extrapolated", vtkOpticsVolumeMapper::Stored, vtkOpticsVolumeMapper::Extrapolated } };
   for (const auto& way : ways)
   {
     Setting setting{ "extra fetches", way.Name };
