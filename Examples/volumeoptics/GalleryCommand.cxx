@@ -24,6 +24,7 @@ struct GalleryOptions
   std::string Folder = "gallery";
   std::string Cranium = DefaultCranium;
   bool WithoutCranium = false;
+  std::string Section; // part of the title; empty: all
   bool WithoutScores = false;
   std::vector<std::string> ScoreRules = { "equal-size", "saturated" };
   bool Headless = false;
@@ -85,7 +86,13 @@ void MakeGallery(const GalleryOptions& options)
   }
   GalleryStudio studio(options.Folder, options.Cranium, options.Headless, options.Force);
   GalleryContents contents;
-  contents.Sections = GalleryList(!options.WithoutCranium);
+  for (const GallerySection& section : GalleryList(!options.WithoutCranium))
+  {
+    if (section.Title.find(options.Section) != std::string::npos)
+    {
+      contents.Sections.push_back(section);
+    }
+  }
   DrawSections(contents, studio);
   if (!options.WithoutScores)
   {
@@ -111,6 +118,7 @@ void AddGalleryCommand(CLI::App& program)
   command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
   command->add_option("--cranium", options->Cranium, "CT of the cranium (.inv3)")->capture_default_str();
   command->add_flag("--without-cranium", options->WithoutCranium, "Synthetic fields only");
+  command->add_option("--section", options->Section, "Draw only sections whose title contains this");
   command->add_flag("--without-scores", options->WithoutScores, "Leave out the table of scores");
   command
     ->add_option("--score-rule", options->ScoreRules,

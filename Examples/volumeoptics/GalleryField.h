@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The volumes of the gallery by name: cranium, marschner-lobb, sphere, ellipsoid, cylinder, packed,
-// tubes.
+// plant, tubes.
 
 #ifndef GalleryField_h
 #define GalleryField_h

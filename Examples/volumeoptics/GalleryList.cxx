@@ -3,6 +3,7 @@
 
 #include "GalleryList.h"
 
+#include "GalleryLighting.h"
 #include "GalleryScenes.h"
 
 #include <cstdio>
@@ -226,6 +227,10 @@ std::vector<GallerySection> GalleryList(bool withCranium)
   }
   for (const auto& section :
     { MarschnerLobbSection(), PrimitiveSection(), PackedSection(), StudySection(), TubesSection() })
+  {
+    sections.push_back(section);
+  }
+  for (const GallerySection& section : LightingSections(withCranium))
   {
     sections.push_back(section);
   }
