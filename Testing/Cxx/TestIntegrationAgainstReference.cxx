@@ -112,7 +112,8 @@ const Setting Settings[] = {
       AddSurfaces(s);
       TransmitLight(s);
       s.Property->SetTransmittedLightToDiffuseAndSpecular();
-    } },
+    },
+    0.3 }, // a light changes sides at a grazing angle at once: rounding decides it for some pixels
   { "parallel",
     [](TestScene& s) {
       UsePreIntegrated(s);
