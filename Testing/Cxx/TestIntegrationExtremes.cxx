@@ -104,6 +104,7 @@ void CheckExtreme(Check& check, const Extreme& extreme, bool preIntegrated, int 
 {
   TestScene scene;
   scene.Window->SetSize(16, 16);
+  scene.Source->SetDimensions(16, 16, 16);
   Warnings warnings(scene.Optics);
   scene.Renderer->SetBackground(0.0, 0.0, 0.0);
   scene.Color->RemoveAllPoints();

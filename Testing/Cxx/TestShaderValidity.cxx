@@ -14,6 +14,7 @@
 
 #include <fstream>
 #include <functional>
+#include <set>
 #include <vector>
 
 namespace
@@ -109,15 +110,33 @@ const Choices ModelsOfIntegrals = {
     } },
 };
 
-void Validate(Check& check, const std::string& name, const std::string& text)
+// Texts of shaders in files, which one run of the compiler checks.
+class Validation
 {
-  const std::string path = std::string(VOLUMEOPTICS_TEMPORARY) + "/Optics-" + name + ".frag";
-  std::ofstream(path) << text;
-  const std::string command = std::string(VOLUMEOPTICS_GLSLANG) + " " + path;
-  check.That(!text.empty() && std::system(command.c_str()) == 0, name + ": " + path + " is not valid GLSL");
-}
+public:
+  void Add(Check& check, const std::string& name, const std::string& text)
+  {
+    const std::string path = std::string(VOLUMEOPTICS_TEMPORARY) + "/Optics-" + name + ".frag";
+    std::ofstream(path) << text;
+    check.That(!text.empty(), name + ": has no text");
+    check.That(this->Paths.insert(path).second, name + ": is checked twice");
+  }
 
-void ValidateScene(Check& check, const Choices& chosen)
+  void Run(Check& check) const
+  {
+    std::string command = VOLUMEOPTICS_GLSLANG;
+    for (const std::string& path : this->Paths)
+    {
+      command += " " + path;
+    }
+    check.That(std::system(command.c_str()) == 0, "a shader named above is not valid GLSL");
+  }
+
+private:
+  std::set<std::string> Paths;
+};
+
+void ValidateScene(Check& check, Validation& validation, const Choices& chosen)
 {
   TestScene scene;
   scene.Window->SetSize(8, 8);
@@ -131,27 +150,28 @@ void ValidateScene(Check& check, const Choices& chosen)
   }
   scene.Render();
   scene.Render();
-  Validate(check, name, shader.Text);
+  validation.Add(check, name, shader.Text);
 }
 
 // One of each list, in every combination.
-void ValidateAll(Check& check, const std::vector<Choices>& lists, const Choices& chosen = {})
+void ValidateAll(
+  Check& check, Validation& validation, const std::vector<Choices>& lists, const Choices& chosen = {})
 {
   if (chosen.size() == lists.size())
   {
-    ValidateScene(check, chosen);
+    ValidateScene(check, validation, chosen);
     return;
   }
   for (const Choice& choice : lists[chosen.size()])
   {
     Choices more = chosen;
     more.push_back(choice);
-    ValidateAll(check, lists, more);
+    ValidateAll(check, validation, lists, more);
   }
 }
 
 // Every model under a lighting transfer function, by every way to its pair of scalars.
-void ValidateLighting(Check& check)
+void ValidateLighting(Check& check, Validation& validation)
 {
   for (int model = vtkOpticsVolumeProperty::VTK; model <= vtkOpticsVolumeProperty::Lafortune; ++model)
   {
@@ -169,14 +189,14 @@ void ValidateLighting(Check& check)
       scene.Render();
       scene.Render();
       const std::string name = std::string("Lighting-") + scene.Property->GetReflectanceModelAsString();
-      Validate(check, name + std::to_string(way), shader.Text);
+      validation.Add(check, name + std::to_string(way), shader.Text);
       check.That(shader.Text.find("in_opticsLightingTable") != std::string::npos, name + ": has no table");
     }
   }
 }
 
 // Projected tetrahedra: every silhouette, with and without isosurfaces.
-void ValidateTetrahedra(Check& check)
+void ValidateTetrahedra(Check& check, Validation& validation)
 {
   Grid grid = MakeBox(1, [](double, double, double z) { return z; });
   for (int silhouette = 0; silhouette < 4; ++silhouette)
@@ -192,7 +212,7 @@ void ValidateTetrahedra(Check& check)
       }
       scene.Render();
       const std::string name = std::string("Tetrahedra-") + scene.Property->GetSilhouetteAsString();
-      Validate(check, name + (surfaces ? "-Isosurfaces" : ""), shader.Text);
+      validation.Add(check, name + (surfaces ? "-Isosurfaces" : ""), shader.Text);
     }
   }
 }
@@ -201,10 +221,12 @@ void ValidateTetrahedra(Check& check)
 int TestShaderValidity(int, char*[])
 {
   Check check;
-  ValidateLighting(check);
-  ValidateTetrahedra(check);
-  ValidateAll(check, { Models, Storages, Gradients, Lights });
-  ValidateAll(check, { Integrals, Silhouettes, Surfaces, ModelsOfIntegrals });
-  ValidateAll(check, { Integrals, Surfaces, Components });
+  Validation validation;
+  ValidateLighting(check, validation);
+  ValidateTetrahedra(check, validation);
+  ValidateAll(check, validation, { Models, Storages, Gradients, Lights });
+  ValidateAll(check, validation, { Integrals, Silhouettes, Surfaces, ModelsOfIntegrals });
+  ValidateAll(check, validation, { Integrals, Surfaces, Components });
+  validation.Run(check);
   return check.ExitCode();
 }
