@@ -100,19 +100,24 @@ void CovarianceField::SetNormals(
     gradients = std::make_unique<GradientTile>(this->Grid, this->Source, tile);
   }
   const int count = tile[1] - tile[0] + 1;
+  rows.reserve(static_cast<std::size_t>(tile[3] - tile[2] + 1) * (tile[5] - tile[4] + 1));
+  normals.resize(NumberOfVoxels(tile));
+  glm::dvec3* normal = normals.data();
   for (int z = tile[4]; z <= tile[5]; ++z)
   {
-    for (int y = tile[2]; y <= tile[3]; ++y)
+    for (int y = tile[2]; y <= tile[3]; ++y, normal += count)
     {
-      const auto given =
-        this->Normals ? this->Normals->Read(tile[0], tile[1], y, z) : std::vector<glm::dvec3>();
-      const glm::dvec3* gradient = gradients ? gradients->Row(y, z) : nullptr;
-      CovarianceRows& row = rows.emplace_back(count);
-      for (int i = 0; i < count; ++i)
+      if (gradients)
       {
-        normals.push_back(gradient ? NormalOf(gradient[i]).Normal : given[i]);
-        row.SetNormal(i, normals.back());
+        const glm::dvec3* gradient = gradients->Row(y, z);
+        std::transform(
+          gradient, gradient + count, normal, [](const glm::dvec3& g) { return NormalOf(g).Normal; });
       }
+      else
+      {
+        this->Normals->Read(tile[0], tile[1], y, z, normal);
+      }
+      rows.emplace_back(count).SetNormals(normal, count);
     }
   }
 }

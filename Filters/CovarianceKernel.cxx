@@ -19,7 +19,6 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<float, KernelPadding>;
 using Vector = hn::Vec<Lanes>;
-using Mask = hn::Mask<Lanes>;
 
 // Number and sum of the accepted offsets.
 struct Centroid
@@ -38,13 +37,14 @@ struct Centroid
   {
   }
 
-  HWY_INLINE void Add(Mask accepted, const float* world)
+  // accepted: 1, or 0 for a sample that does not count
+  HWY_INLINE void Add(Vector accepted, const float* world)
   {
     const Lanes lanes;
-    Count = hn::Add(Count, hn::IfThenElseZero(accepted, hn::Set(lanes, 1.0f)));
-    X = hn::Add(X, hn::IfThenElseZero(accepted, hn::Set(lanes, world[0])));
-    Y = hn::Add(Y, hn::IfThenElseZero(accepted, hn::Set(lanes, world[1])));
-    Z = hn::Add(Z, hn::IfThenElseZero(accepted, hn::Set(lanes, world[2])));
+    Count = hn::Add(Count, accepted);
+    X = hn::MulAdd(accepted, hn::Set(lanes, world[0]), X);
+    Y = hn::MulAdd(accepted, hn::Set(lanes, world[1]), Y);
+    Z = hn::MulAdd(accepted, hn::Set(lanes, world[2]), Z);
   }
 };
 
@@ -77,7 +77,7 @@ struct Moments
     MeanPhi = hn::Mul(phi, share);
   }
 
-  HWY_INLINE void Add(Mask accepted, const float* world)
+  HWY_INLINE void Add(Vector accepted, const float* world)
   {
     const Lanes lanes;
     const Vector x = hn::Set(lanes, world[0]);
@@ -85,8 +85,9 @@ struct Moments
     const Vector z = hn::Set(lanes, world[2]);
     const Vector theta = hn::MulAdd(Theta[0], x, hn::MulAdd(Theta[1], y, hn::MulSub(Theta[2], z, MeanTheta)));
     const Vector phi = hn::MulAdd(Phi[0], x, hn::MulSub(Phi[1], y, MeanPhi));
-    const Vector rest = hn::NegMulAdd(phi, phi, hn::NegMulAdd(theta, theta, hn::Set(lanes, 1.0f)));
-    const Vector weight = hn::IfThenElseZero(accepted, hn::Max(rest, hn::Zero(lanes)));
+    // 1 - d^2, and not positive for a sample that does not count
+    const Vector rest = hn::NegMulAdd(phi, phi, hn::NegMulAdd(theta, theta, accepted));
+    const Vector weight = hn::Max(rest, hn::Zero(lanes));
     const Vector weightedTheta = hn::Mul(weight, theta);
     ThetaTheta = hn::MulAdd(weightedTheta, theta, ThetaTheta);
     ThetaPhi = hn::MulAdd(weightedTheta, phi, ThetaPhi);
@@ -122,39 +123,12 @@ HWY_INLINE bool HasWork(const CovarianceRow& row, std::size_t x)
   return false;
 }
 
-HWY_INLINE Mask IsNear(Vector scalar, Vector centre, Vector tolerance)
+HWY_INLINE Vector Sampled(const NearestSample& sample, const float* scalars)
 {
-  return hn::Le(hn::Abs(hn::Sub(scalar, centre)), tolerance); // false for NaN
+  return hn::LoadU(Lanes(), scalars + sample.Offset);
 }
 
-void AccumulateNearestRow(const CovarianceRow& row, const NearestSample* samples, std::size_t count)
-{
-  const Lanes lanes;
-  const Vector tolerance = hn::Set(lanes, row.Tolerance);
-  for (std::size_t x = 0; x < static_cast<std::size_t>(row.Count); x += hn::Lanes(lanes))
-  {
-    if (!HasWork(row, x))
-    {
-      continue;
-    }
-    const Vector centre = hn::LoadU(lanes, row.Scalars + x);
-    Centroid centroid;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Vector scalar = hn::LoadU(lanes, row.Scalars + x + samples[i].Offset);
-      centroid.Add(IsNear(scalar, centre, tolerance), samples[i].World);
-    }
-    Moments moments(row, x, centroid);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Vector scalar = hn::LoadU(lanes, row.Scalars + x + samples[i].Offset);
-      moments.Add(IsNear(scalar, centre, tolerance), samples[i].World);
-    }
-    Store(row, x, centroid, moments);
-  }
-}
-
-HWY_INLINE Vector Interpolated(const LinearSample& sample, const float* scalars)
+HWY_INLINE Vector Sampled(const LinearSample& sample, const float* scalars)
 {
   const Lanes lanes;
   Vector even = hn::Mul(hn::LoadU(lanes, scalars + sample.Offsets[0]), hn::Set(lanes, sample.Weights[0]));
@@ -169,13 +143,16 @@ HWY_INLINE Vector Interpolated(const LinearSample& sample, const float* scalars)
   return hn::Add(even, odd);
 }
 
-// Interpolates once and keeps the differences for the second pass.
-void AccumulateLinearRow(const CovarianceRow& row, const LinearSample* samples, std::size_t count)
+// Samples once and keeps for the second pass which samples are accepted.
+template <typename Sample>
+HWY_INLINE void AccumulateRow(const CovarianceRow& row, const Sample* samples, std::size_t count)
 {
   const Lanes lanes;
   const std::size_t width = hn::Lanes(lanes);
-  static thread_local std::vector<float> differences;
-  differences.resize(count * width);
+  static thread_local std::vector<float> kept;
+  kept.resize(count * width);
+  float* const accepted = kept.data();
+  const Vector one = hn::Set(lanes, 1.0f);
   const Vector tolerance = hn::Set(lanes, row.Tolerance);
   for (std::size_t x = 0; x < static_cast<std::size_t>(row.Count); x += width)
   {
@@ -183,22 +160,33 @@ void AccumulateLinearRow(const CovarianceRow& row, const LinearSample* samples, 
     {
       continue;
     }
-    const Vector centre = hn::LoadU(lanes, row.Scalars + x);
+    const float* const scalars = row.Scalars + x;
+    const Vector centre = hn::LoadU(lanes, scalars);
     Centroid centroid;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector difference = hn::Abs(hn::Sub(Interpolated(samples[i], row.Scalars + x), centre));
-      hn::StoreU(difference, lanes, differences.data() + i * width);
-      centroid.Add(hn::Le(difference, tolerance), samples[i].World);
+      const Vector difference = hn::Abs(hn::Sub(Sampled(samples[i], scalars), centre));
+      const Vector weight = hn::IfThenElseZero(hn::Le(difference, tolerance), one); // 0 for NaN
+      hn::StoreU(weight, lanes, accepted + i * width);
+      centroid.Add(weight, samples[i].World);
     }
     Moments moments(row, x, centroid);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Vector difference = hn::LoadU(lanes, differences.data() + i * width);
-      moments.Add(hn::Le(difference, tolerance), samples[i].World);
+      moments.Add(hn::LoadU(lanes, accepted + i * width), samples[i].World);
     }
     Store(row, x, centroid, moments);
   }
+}
+
+void AccumulateNearestRow(const CovarianceRow& row, const NearestSample* samples, std::size_t count)
+{
+  AccumulateRow(row, samples, count);
+}
+
+void AccumulateLinearRow(const CovarianceRow& row, const LinearSample* samples, std::size_t count)
+{
+  AccumulateRow(row, samples, count);
 }
 
 const char* InstructionSet()

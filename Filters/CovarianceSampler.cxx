@@ -46,12 +46,23 @@ LinearSample MakeLinear(const VoxelBox<float>& scalars, const SampleOffset& offs
   return sample;
 }
 
-bool IsInside(const VoxelBox<float>& scalars, const SampleOffset& offset, int y, int z)
+// Without a branch: at the volume's border each sample of a pattern is asked for each row.
+bool IsInside(const Extent& box, const SampleOffset& offset, int y, int z)
 {
-  const int lastY = y + offset.Voxel[1] + (offset.Fraction[1] > 0.0f ? 1 : 0);
-  const int lastZ = z + offset.Voxel[2] + (offset.Fraction[2] > 0.0f ? 1 : 0);
-  return scalars.HasRow(y + offset.Voxel[1], z + offset.Voxel[2]) && scalars.HasRow(lastY, lastZ);
+  const int firstY = y + offset.Voxel[1];
+  const int firstZ = z + offset.Voxel[2];
+  const int lastY = firstY + (offset.Fraction[1] > 0.0f ? 1 : 0);
+  const int lastZ = firstZ + (offset.Fraction[2] > 0.0f ? 1 : 0);
+  return int(firstY >= box[2]) & int(lastY <= box[3]) & int(firstZ >= box[4]) & int(lastZ <= box[5]);
 }
+
+// Samples in a row of memory.
+template <typename Sample>
+struct SampleRange
+{
+  const Sample* First;
+  std::size_t Count;
+};
 
 // A pattern in terms of the kernel.
 template <typename Sample>
@@ -63,6 +74,7 @@ public:
     : Pattern(pattern)
     , Scalars(scalars)
   {
+    this->All.reserve(pattern.size());
     for (const SampleOffset& offset : pattern)
     {
       this->All.push_back(make(scalars, offset));
@@ -73,24 +85,23 @@ public:
     }
   }
 
-  // Those for a row: samples outside the volume in y or z are left out.
-  const std::vector<Sample>& ForRow(int y, int z)
+  // Those for a row, valid until the next call: samples outside the volume in y or z are left out.
+  SampleRange<Sample> ForRow(int y, int z)
   {
     const Extent& box = this->Scalars.GetBox();
     if (y - this->Reach[1] >= box[2] && y + this->Reach[1] <= box[3] && z - this->Reach[2] >= box[4] &&
       z + this->Reach[2] <= box[5])
     {
-      return this->All;
+      return { this->All.data(), this->All.size() };
     }
-    this->Some.clear();
+    this->Some.resize(this->All.size());
+    std::size_t count = 0;
     for (std::size_t i = 0; i < this->All.size(); ++i)
     {
-      if (IsInside(this->Scalars, this->Pattern[i], y, z))
-      {
-        this->Some.push_back(this->All[i]);
-      }
+      this->Some[count] = this->All[i];
+      count += IsInside(box, this->Pattern[i], y, z);
     }
-    return this->Some;
+    return { this->Some.data(), count };
   }
 
 private:
@@ -110,10 +121,10 @@ void AccumulateBox(KernelSamples<Sample> samples, const VoxelBox<float>& scalars
   {
     for (int y = box[2]; y <= box[3]; ++y, ++rows)
     {
-      const std::vector<Sample>& used = samples.ForRow(y, z);
+      const SampleRange<Sample> used = samples.ForRow(y, z);
       const CovarianceRow row =
         rows->GetRow(box[0] - firstX, box[1] - firstX, scalars.At(box[0], y, z), tolerance);
-      accumulate(row, used.data(), used.size());
+      accumulate(row, used.First, used.Count);
     }
   }
 }
@@ -127,19 +138,22 @@ CovarianceRows::CovarianceRows(int length)
   }
 }
 
-void CovarianceRows::SetNormal(int voxel, const glm::dvec3& normal)
+void CovarianceRows::SetNormals(const glm::dvec3* normals, int count)
 {
-  if (normal == glm::dvec3(0.0))
+  for (int voxel = 0; voxel < count; ++voxel)
   {
-    return;
+    if (normals[voxel] == glm::dvec3(0.0))
+    {
+      continue;
+    }
+    const optics::TangentBasis basis = optics::SphericalBasis(normals[voxel]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Numbers[axis][voxel] = static_cast<float>(basis.theta[axis]);
+    }
+    this->Numbers[3][voxel] = static_cast<float>(basis.phi.x);
+    this->Numbers[4][voxel] = static_cast<float>(basis.phi.y);
   }
-  const optics::TangentBasis basis = optics::SphericalBasis(normal);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Numbers[axis][voxel] = static_cast<float>(basis.theta[axis]);
-  }
-  this->Numbers[3][voxel] = static_cast<float>(basis.phi.x);
-  this->Numbers[4][voxel] = static_cast<float>(basis.phi.y);
 }
 
 CovarianceRow CovarianceRows::GetRow(int first, int last, const float* scalars, double tolerance)

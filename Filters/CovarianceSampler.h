@@ -36,8 +36,8 @@ class CovarianceRows
 public:
   explicit CovarianceRows(int length);
 
-  // normal: unit or 0.
-  void SetNormal(int voxel, const glm::dvec3& normal);
+  // Of the first voxels of the row: unit or 0.
+  void SetNormals(const glm::dvec3* normals, int count);
   CovarianceRow GetRow(int first, int last, const float* scalars, double tolerance);
 
   float GetAccepted(int voxel) const { return this->Numbers[8][voxel]; }

@@ -22,7 +22,7 @@ public:
   const Extent& GetBox() const { return this->Rows[0].GetBox(); }
 
   // Made unit; 0 where one is 0 or has no value.
-  std::vector<glm::dvec3> Read(int x0, int x1, int y, int z) const
+  void Read(int x0, int x1, int y, int z, glm::dvec3* normals) const
   {
     const std::size_t count = x1 - x0 + 1;
     std::vector<double> numbers(3 * count);
@@ -30,14 +30,12 @@ public:
     {
       this->Rows[axis].Read(x0, x1, y, z, numbers.data() + axis * count);
     }
-    std::vector<glm::dvec3> normals(count, glm::dvec3(0.0));
     for (std::size_t i = 0; i < count; ++i)
     {
       const glm::dvec3 normal(numbers[i], numbers[i + count], numbers[i + 2 * count]);
       const double length = glm::length(normal);
       normals[i] = length > 0.0 && std::isfinite(length) ? normal / length : glm::dvec3(0.0);
     }
-    return normals;
   }
 
 private:

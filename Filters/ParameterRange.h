@@ -39,6 +39,24 @@ void SetWithinRange(
   }
 }
 
+// A range that may be empty; ends that are not finite change nothing.
+inline void SetFiniteRange(
+  vtkObject* object, const char* name, double least, double largest, double (&range)[2])
+{
+  if (!std::isfinite(least) || !std::isfinite(largest))
+  {
+    vtkWarningWithObjectMacro(object, << name << " " << least << ", " << largest
+                                      << " is not finite; it stays " << range[0] << ", " << range[1] << ".");
+    return;
+  }
+  if (least != range[0] || largest != range[1])
+  {
+    range[0] = least;
+    range[1] = largest;
+    object->Modified();
+  }
+}
+
 // names: of the values 0, 1, ...
 template <int Count>
 void SetChoice(

@@ -82,11 +82,12 @@ void ImageRows::Read(int x0, int x1, int y, int z, double* values) const
         values[i] = this->Array->GetComponent(point + i, this->Component);
       }
   }
+  std::transform(values, values + count, values,
+    [](double value) { return std::isfinite(value) ? value : NoValue<double>(); });
   const unsigned char* ghosts = this->Ghosts ? this->Ghosts->GetPointer(point) : nullptr;
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; ghosts && i < count; ++i)
   {
-    const bool isHidden = ghosts && (ghosts[i] & vtkDataSetAttributes::HIDDENPOINT);
-    values[i] = !isHidden && std::isfinite(values[i]) ? values[i] : NoValue<double>();
+    values[i] = ghosts[i] & vtkDataSetAttributes::HIDDENPOINT ? NoValue<double>() : values[i];
   }
 }
 

@@ -80,18 +80,7 @@ void vtkAmbientCovarianceFilter::SetScalarTolerance(double tolerance)
 //------------------------------------------------------------------------------
 void vtkAmbientCovarianceFilter::SetScalarRange(double least, double largest)
 {
-  if (!std::isfinite(least) || !std::isfinite(largest))
-  {
-    vtkWarningMacro(<< "ScalarRange " << least << ", " << largest << " is not finite; it stays "
-                    << this->ScalarRange[0] << ", " << this->ScalarRange[1] << ".");
-    return;
-  }
-  if (least != this->ScalarRange[0] || largest != this->ScalarRange[1])
-  {
-    this->ScalarRange[0] = least;
-    this->ScalarRange[1] = largest;
-    this->Modified();
-  }
+  volumeoptics::SetFiniteRange(this, "ScalarRange", least, largest, this->ScalarRange);
 }
 
 //------------------------------------------------------------------------------

@@ -73,17 +73,33 @@ ImageGrid vtkOpticsImageFilter::GetGrid(vtkInformationVector** inputs)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
+{
+  const bool hasExtent =
+    inputs[0]->GetInformationObject(0)->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) != 0;
+  if (!hasExtent)
+  {
+    vtkErrorMacro("The input has no extent. Connect an image (vtkImageData).");
+  }
+  return hasExtent;
+}
+
+//------------------------------------------------------------------------------
 int vtkOpticsImageFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkInformation* input = inputs[0]->GetInformationObject(0);
-  if (!input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  if (!this->HasExtent(inputs))
   {
-    vtkErrorMacro("The input has no extent. Connect an image (vtkImageData).");
     return 0;
   }
-  SetGeometry(this->GetGrid(inputs), input, outputs->GetInformationObject(0));
+  SetGeometry(this->GetGrid(inputs), inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::GetExtentToCompute(const ImageGrid&, vtkInformation* output, int extent[6])
+{
+  output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
 }
 
 //------------------------------------------------------------------------------
@@ -110,9 +126,11 @@ void vtkOpticsImageFilter::GetNeededExtent(const ImageGrid& grid, const int outp
 int vtkOpticsImageFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  const ImageGrid grid = this->GetGrid(inputs);
+  int extent[6];
+  this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent);
   int input[6];
-  this->GetNeededExtent(this->GetGrid(inputs),
-    outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()), input);
+  this->GetNeededExtent(grid, extent, input);
   inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
   return 1;
 }
@@ -160,12 +178,12 @@ float* vtkOpticsImageFilter::AddArray(vtkImageData* output, const char* name, in
 int vtkOpticsImageFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkInformation* information = outputs->GetInformationObject(0);
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  const ImageGrid grid = this->GetGrid(inputs);
   Extent extent;
-  information->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent.data());
   if (!input || volumeoptics::IsEmpty(extent))
   {
     return 1;
@@ -175,7 +193,6 @@ int vtkOpticsImageFilter::RequestData(
   {
     return 0;
   }
-  const ImageGrid grid = this->GetGrid(inputs);
   Extent needed;
   this->GetNeededExtent(grid, extent.data(), needed.data());
   const volumeoptics::ImageRows rows(input, scalars, this->InputComponent);

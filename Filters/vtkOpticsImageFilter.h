@@ -91,6 +91,17 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
+   * Whether the input has a whole extent; else an error.
+   */
+  bool HasExtent(vtkInformationVector** inputs);
+
+  /**
+   * The extent of the grid that the arrays are computed on: the one requested of the output, unless
+   * overridden.
+   */
+  virtual void GetExtentToCompute(const volumeoptics::ImageGrid& grid, vtkInformation* output, int extent[6]);
+
+  /**
    * Voxels of the output's grid around a voxel whose scalars it needs, smoothing left out.
    */
   virtual void GetReach(const volumeoptics::ImageGrid& grid, int reach[3]) = 0;

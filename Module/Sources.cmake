@@ -7,6 +7,7 @@ set(filter_classes
   vtkAmbientCovarianceFilter
   vtkAnalyticVolumeSource
   vtkAnisotropyFilter
+  vtkGradientAlignedHistogram
   vtkOpticsImageFilter
   vtkPrincipalCurvatureFilter
   vtkSobelNormalFilter
@@ -16,6 +17,9 @@ set(rendering_classes
   vtkDataSpaceRayCastFunction
   vtkDataSpaceRayIntegrator
   vtkHeadlessRenderWindow
+  vtkLightingTransferFunction
+  vtkLightingTransferFunctionItem
+  vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty
@@ -29,6 +33,7 @@ set(filter_sources
   CovarianceKernel
   CovarianceSampler
   GaussianFilter
+  GradientAlignedSampler
   ImageGrid
   LiteralSampling
   PrincipalCurvature
@@ -43,7 +48,9 @@ set(rendering_sources
   TetrahedraVertices
   TetrahedralGrid
   AttenuatedStretch
+  BoundarySearch
   DefaultOptics
+  FrameGeometry
   FrameProvider
   FrameTerm
   FrameTextures
@@ -52,7 +59,18 @@ set(rendering_sources
   HeadlessContextOSMesa
   IntegrationTerm
   IsosurfaceTexture
+  HistogramPicture
+  JsonDocument
   LightUniforms
+  LightingBoundary
+  LightingEditor
+  LightingEditorPainter
+  LightingJson
+  LightingTable
+  LightingTableTexture
+  LightingTransferFunctionTerm
+  MultiSampleRules
+  MultiSampleTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene
@@ -61,6 +79,7 @@ set(rendering_sources
   PreIntegration
   RayUniforms
   ReflectanceTerm
+  ScalarPair
   SceneNeeds
   TransferFunctionStretches
   TransferFunctionTerm

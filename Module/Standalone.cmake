@@ -41,8 +41,9 @@ endif ()
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
-  RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume
-  RenderingVolumeOpenGL2 TestingCore TestingRendering jsoncpp opengl)
+  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
+  RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering
+  ViewsContext2D jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
   OPTIONAL_COMPONENTS WrappingPythonCore Python glew glad)
 find_package(glm REQUIRED)

@@ -12,7 +12,9 @@
 #                                         400 s of processor time, so 3 to 4 minutes on two cores
 
 set -euo pipefail
-cd "$(git rev-parse --show-toplevel)"
+# by a variable: cd "" would succeed where git is missing or refuses the folder
+top=$(git rev-parse --show-toplevel)
+cd "$top"
 
 format() {
   git ls-files '*.h' '*.cxx' | xargs clang-format "$@"

@@ -3,6 +3,7 @@
 
 #include "FrameProvider.h"
 
+#include "FrameGeometry.h"
 #include "OpticsTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsVolumeMapper.h"
@@ -29,7 +30,6 @@ namespace
 {
 // While the user interacts, frames are estimated on a grid of an eighth of the voxels.
 const double CoarseFactor = 0.5;
-const double SmallestFactor = 0.0625;
 
 vtkFloatArray* FindArray(vtkImageData* image, const char* name, int components)
 {
@@ -49,42 +49,6 @@ vtkImageData* UpdatedImage(const FrameProvider::Connection& connection)
 {
   connection.Producer->Update(connection.Port);
   return vtkImageData::SafeDownCast(connection.Producer->GetOutputDataObject(connection.Port));
-}
-
-// Index coordinates of one grid are those of the other, to a thousandth of a voxel.
-bool HaveSameGrid(vtkImageData* first, vtkImageData* second)
-{
-  int a[6], b[6];
-  first->GetExtent(a);
-  second->GetExtent(b);
-  bool same = std::equal(a, a + 6, b);
-  for (int corner = 0; corner < 8 && same; ++corner)
-  {
-    double point[3], index[3];
-    const int ijk[3] = { a[corner & 1], a[2 + (corner >> 1 & 1)], a[4 + (corner >> 2 & 1)] };
-    first->TransformIndexToPhysicalPoint(ijk, point);
-    second->TransformPhysicalPointToContinuousIndex(point, index);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      same = same && std::abs(index[axis] - ijk[axis]) < 1.0e-3;
-    }
-  }
-  return same;
-}
-
-// A cell's value stands at its centre.
-void MakeCentresPoints(vtkImageData* source, vtkImageData* points)
-{
-  int extent[6];
-  source->GetExtent(extent);
-  double centre[3];
-  source->TransformContinuousIndexToPhysicalPoint(0.5, 0.5, 0.5, centre);
-  points->SetOrigin(centre);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent[2 * axis + 1] = std::max(extent[2 * axis], extent[2 * axis + 1] - 1);
-  }
-  points->SetExtent(extent);
 }
 
 // Forwards a filter's progress as VTK's own gradient events, and the window's abort to the filter.
@@ -163,19 +127,54 @@ FrameGrid FrameProvider::Update(const OpticsScene& scene, const Request& request
   grid.Magnitude = FindArray(normals, "GradientMagnitude", 1);
   vtkImageData* anisotropy = this->AnisotropyInput.Producer ? UpdatedImage(this->AnisotropyInput) : input;
   grid.Anisotropy = request.Anisotropy ? FindAnisotropy(anisotropy) : nullptr;
-  const bool isComplete = grid.Normals && grid.Magnitude && (grid.Anisotropy || !request.Anisotropy);
+  const bool hasNormals = grid.Normals && grid.Magnitude;
+  const bool isComplete = hasNormals && (grid.Anisotropy || !request.Anisotropy);
   if (isComplete && (!request.Anisotropy || HaveSameGrid(normals, anisotropy)))
   {
     grid.Geometry = normals;
     return grid;
   }
+  this->UpdateInput(scene);
+  const bool isAlone =
+    hasNormals && !this->AnisotropyInput.Producer && !FindAnisotropy(input) && !request.Curvature;
+  const double factor = isAlone ? FactorBetween(this->Input, normals) : 0.0;
+  this->SetGivenNormals(factor > 0.0 ? normals : nullptr);
+  if (this->Given)
+  {
+    return this->RunFilters(scene, request, factor);
+  }
   if (this->NormalsInput.Producer || this->AnisotropyInput.Producer)
   {
-    scene.Mapper->Say("The connected normals and anisotropy cannot be used: they must be float point arrays "
-                      "Normals (3 components), GradientMagnitude (1) and AmbientCovariance (3 or 5) on one "
-                      "grid. They are computed from the input instead.");
+    scene.Mapper->Say(
+      "The connected normals and anisotropy cannot be used: they must be float point arrays "
+      "Normals (3 components), GradientMagnitude (1) and AmbientCovariance (3 or 5) on one "
+      "grid; normals alone must lie on the volume's grid, or on that of a lower resolution factor, and "
+      "go with the frame source Covariance. They are computed from the input instead.");
   }
-  return this->RunFilters(scene, request);
+  return this->RunFilters(scene, request, this->GetResolutionFactor(scene, request));
+}
+
+//------------------------------------------------------------------------------
+void FrameProvider::SetGivenNormals(vtkImageData* normals)
+{
+  const vtkMTimeType time = normals ? normals->GetMTime() : 0;
+  if (!normals && this->Given)
+  {
+    this->Covariance->SetInputConnection(1, this->Sobel->GetOutputPort());
+    this->Given = nullptr;
+  }
+  if (!normals || (this->Given && this->GivenSource == normals && this->GivenTime == time))
+  {
+    return;
+  }
+  // an image of its own: the filter's pipeline does not reach into that of the normals
+  this->Given = vtkSmartPointer<vtkImageData>::New();
+  this->Given->CopyStructure(normals);
+  this->Given->GetPointData()->AddArray(FindArray(normals, "Normals", 3));
+  this->Given->GetPointData()->AddArray(FindArray(normals, "GradientMagnitude", 1));
+  this->GivenSource = normals;
+  this->GivenTime = time;
+  this->Covariance->SetNormalsData(this->Given);
 }
 
 //------------------------------------------------------------------------------
@@ -226,7 +225,7 @@ double FrameProvider::GetResolutionFactor(const OpticsScene& scene, const Reques
   {
     return wanted;
   }
-  const double factor = std::max(SmallestFactor, wanted * std::cbrt(limit / bytes));
+  const double factor = std::max(SmallestResolutionFactor, wanted * std::cbrt(limit / bytes));
   if (request.Coarse)
   {
     return factor; // the still frame has more to say
@@ -262,10 +261,8 @@ vtkMTimeType FrameProvider::GetTime() const
 }
 
 //------------------------------------------------------------------------------
-FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& request)
+FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& request, double factor)
 {
-  this->UpdateInput(scene);
-  const double factor = this->GetResolutionFactor(scene, request);
   const bool isCurrent = this->IsCurrent(request);
   if (isCurrent && this->IsFine(request, factor))
   {
@@ -274,9 +271,9 @@ FrameGrid FrameProvider::RunFilters(const OpticsScene& scene, const Request& req
   this->SetUpFilters(scene, factor);
   vtkAlgorithm* anisotropy = request.Curvature ? static_cast<vtkAlgorithm*>(this->Curvature)
                                                : static_cast<vtkAlgorithm*>(this->Covariance);
-  const double share = request.Anisotropy ? 0.1 : 1.0;
+  const double share = this->Given ? 0.0 : request.Anisotropy ? 0.1 : 1.0;
   scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsStartEvent);
-  const bool isDone = Run(this->GetNormals(request), Watch{ scene, 0.0, share }) &&
+  const bool isDone = (this->Given || Run(this->GetNormals(request), Watch{ scene, 0.0, share })) &&
     (!request.Anisotropy || Run(anisotropy, Watch{ scene, share, 1.0 - share }));
   scene.Mapper->InvokeEvent(vtkCommand::VolumeMapperComputeGradientsEndEvent);
   if (isDone)
@@ -316,7 +313,7 @@ void FrameProvider::SetUpFilters(const OpticsScene& scene, double factor)
 //------------------------------------------------------------------------------
 void FrameProvider::Store(const Request& request, double factor)
 {
-  vtkImageData* normals = this->GetNormals(request)->GetOutput();
+  vtkImageData* normals = this->Given ? this->Given.Get() : this->GetNormals(request)->GetOutput();
   // the filter's own image changes when a computation begins that may not end
   this->Stored.Geometry = vtkSmartPointer<vtkImageData>::New();
   this->Stored.Geometry->CopyStructure(normals);

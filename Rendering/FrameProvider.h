@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Where the normals and frames of a volume come from: what the user connected, else arrays of the
-// input, else the filters, which it runs when the data has changed.
+// input, else the filters, which it runs when the data has changed. For normals that come without
+// frames, the covariance is computed from these normals.
 
 #ifndef FrameProvider_h
 #define FrameProvider_h
@@ -65,7 +66,9 @@ private:
   vtkSobelNormalFilter* GetNormals(const Request& request);
   int GetStorage(const Request& request);
   void UpdateInput(const OpticsScene& scene);
-  FrameGrid RunFilters(const OpticsScene& scene, const Request& request);
+  // Normals that came without anisotropy, on the grid of the covariance; null: the filter's own.
+  void SetGivenNormals(vtkImageData* normals);
+  FrameGrid RunFilters(const OpticsScene& scene, const Request& request, double factor);
   double GetResolutionFactor(const OpticsScene& scene, const Request& request);
   vtkMTimeType GetTime() const;
 
@@ -78,6 +81,10 @@ private:
   vtkSmartPointer<vtkImageData> Input; // the scalars that opacity depends on, as point data
   vtkWeakPointer<vtkImageData> Source;
   vtkMTimeType SourceTime = 0;
+
+  vtkSmartPointer<vtkImageData> Given;
+  vtkWeakPointer<vtkImageData> GivenSource;
+  vtkMTimeType GivenTime = 0;
 
   // What the filters made last, so that a coarse frame does not undo a fine one.
   struct

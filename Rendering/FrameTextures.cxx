@@ -3,6 +3,8 @@
 
 #include "FrameTextures.h"
 
+#include "TextureCodec.h"
+
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -14,35 +16,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 namespace
 {
-// Unsigned codes 0 .. 2 M + 1 of a normalised texture; a signed value v has the code round(M v) + M,
-// so that 0 is exact: an isotropic voxel stays isotropic.
-template <typename Code>
-struct Codec
-{
-  static constexpr double Largest = std::numeric_limits<Code>::max();
-  static constexpr double SignedScale = (Largest - 1.0) / 2.0;
-  static Code Signed(double value)
-  {
-    return static_cast<Code>(
-      std::lround(std::clamp(value, -1.0, 1.0) * SignedScale) + std::lround(SignedScale));
-  }
-  static Code Unsigned(double value)
-  {
-    return static_cast<Code>(std::lround(std::clamp(value, 0.0, 1.0) * Largest));
-  }
-};
-
-template <>
-struct Codec<float>
-{
-  static float Signed(double value) { return static_cast<float>(std::clamp(value, -1.0, 1.0)); }
-  static float Unsigned(double value) { return static_cast<float>(std::clamp(value, 0.0, 1.0)); }
-};
+using volumeoptics::TextureCodec;
 
 template <typename Code, typename Channels>
 std::vector<Code> Encode(const Channels& channels, vtkIdType voxels)
@@ -58,7 +35,7 @@ std::vector<Code> Encode(const Channels& channels, vtkIdType voxels)
         const double given = channel.Values[voxel * channel.Stride] * channel.Scale;
         const double value = std::isnan(given) ? 0.0 : given;
         codes[voxel * count + i] =
-          channel.IsSigned ? Codec<Code>::Signed(value) : Codec<Code>::Unsigned(value);
+          channel.IsSigned ? TextureCodec<Code>::Signed(value) : TextureCodec<Code>::Unsigned(value);
       }
     }
   });
@@ -178,10 +155,7 @@ FrameTextures::Texture FrameTextures::Upload(
 //------------------------------------------------------------------------------
 void FrameTextures::SetUniforms(vtkShaderProgram* program, double stepPerRange)
 {
-  const double codes = this->Bits == 8 ? 255.0 : 65535.0;
-  const float code[2] = { this->Bits == 32 ? 1.0F : static_cast<float>(2.0 * codes / (codes - 1.0)),
-    this->Bits == 32 ? 0.0F : -1.0F };
-  program->SetUniform2f("in_opticsFrameCode", code);
+  program->SetUniform2f("in_opticsFrameCode", volumeoptics::SignedTextureCode(this->Bits).ScaleAndBias);
   // finite as a float, too
   const double scale = std::min(this->LargestMagnitude * stepPerRange, 1.0e30);
   program->SetUniformf("in_opticsMagnitudeScale", static_cast<float>(scale));

@@ -75,6 +75,7 @@ void IntegrationTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
   {
     features.Add(F::NoColorTable);
   }
+  features.Add(TransmitsLight(scene) ? F::Transmitted : F::TransmittedNone);
   features.Add(scene.Mapper->GetCropping() ? F::HiddenByCropping : F::HiddenHalf);
   features.Add(HasIsosurfaces(scene) ? F::Isosurfaces : F::IsosurfacesNone);
   AddSilhouetteFeatures(scene, features);
@@ -93,10 +94,12 @@ void IntegrationTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* pr
   program->SetUniformf("in_opticsUnitsPerRange", static_cast<float>(units));
   program->SetUniformf("in_opticsHalfUnit", static_cast<float>(std::min(0.5 / units, 1.0)));
   program->SetUniformf("in_opticsUnitDistanceInverse", static_cast<float>(1.0 / UnitDistance(scene)));
-  if (IsPreIntegrated(scene))
+  const bool isSpecular = scene.Optics->GetTransmittedLight() == Property::DiffuseAndSpecular;
+  program->SetUniformf("in_opticsTransmittedSpecular", isSpecular ? 1.0F : 0.0F);
+  if (IsPreIntegrated(scene) || TransmitsLight(scene))
   {
     this->Table.Update(scene);
-    this->Table.SetUniforms(program);
+    this->Table.SetUniforms(scene, program);
   }
   if (HasIsosurfaces(scene))
   {

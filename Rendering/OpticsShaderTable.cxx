@@ -9,8 +9,10 @@
 #include "AnisotropyFrame.h"
 #include "AnisotropyMap.h"
 #include "AnisotropyWorld.h"
+#include "ClassifiedSample.h"
 #include "CoefficientsDec.h"
 #include "CoefficientsOfProperty.h"
+#include "CoefficientsOfTable.h"
 #include "ColorOfFirst.h"
 #include "ColorOfSample.h"
 #include "ColorOfSegment.h"
@@ -25,6 +27,10 @@
 #include "GradientOpacityScalar.h"
 #include "HiddenByCropping.h"
 #include "HiddenHalf.h"
+#include "HybridDec.h"
+#include "HybridDiffuse.h"
+#include "HybridNormal.h"
+#include "HybridSurface.h"
 #include "IntegralDec.h"
 #include "IntegralImpl.h"
 #include "IntegralInit.h"
@@ -37,6 +43,7 @@
 #include "LightsPositional.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
+#include "MultiSampleRule.h"
 #include "NoColorTable.h"
 #include "NoNormalForCentral.h"
 #include "NormalForCentral.h"
@@ -61,7 +68,11 @@
 #include "ReflectanceWard.h"
 #include "SampleScalar.h"
 #include "ScalarGradientCentral.h"
+#include "ScalarGradientOfSample.h"
 #include "ScalarGradientStored.h"
+#include "ScalarLookup.h"
+#include "ScalarPairExtrapolated.h"
+#include "ScalarPairFetched.h"
 #include "ScatteringPhase.h"
 #include "SegmentInData.h"
 #include "SegmentInSpace.h"
@@ -73,12 +84,19 @@
 #include "SilhouetteExact.h"
 #include "SilhouetteGeometry.h"
 #include "SilhouetteOff.h"
+#include "SoftRange.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
 #include "SurfaceFlag.h"
 #include "SurfaceInData.h"
 #include "SurfaceOfExtinction.h"
+#include "Transmitted.h"
+#include "TransmittedDec.h"
+#include "TransmittedNone.h"
+#include "TransmittedShare.h"
+#include "TransmittedSide.h"
+#include "TransmittedSurface.h"
 
 #include <vector>
 
@@ -100,6 +118,7 @@ const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
 // Places of our own, in Lighting.glsl.
+const Place GradientPlace = { "//Optics::Gradient", false };
 const Place SurfacePlace = { "//Optics::Surface", false };
 const Place LightPlace = { "//Optics::Light", false };
 const Place TransmissionPlace = { "//Optics::Transmission", false };
@@ -115,6 +134,7 @@ struct Row
 const Row Table[] = {
   { F::SampleScalar, &BaseDec, SampleScalar },
   { F::IntegralInData, &BaseDec, SurfaceFlag },
+  { F::Transmitted, &BaseDec, TransmittedDec },
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
 
@@ -123,6 +143,7 @@ const Row Table[] = {
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
   { F::OpacityFormulas, &ComputeLightingDec, Opacity },
+  { F::Integral, &ComputeLightingDec, DataSpace },
   { F::ExtinctionSurface, &ComputeLightingDec, Reflectance },
   { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
   { F::FrameLookup, &ComputeLightingDec, NormalLookup },
@@ -138,8 +159,11 @@ const Row Table[] = {
   { F::GradientCentralWithNormal, &ComputeLightingDec, NormalForCentral },
   { F::GradientCentralWithoutNormal, &ComputeLightingDec, NoNormalForCentral },
   { F::GradientCentral, &ComputeLightingDec, ExtinctionGradientCentral },
+  { F::ScalarLookup, &ComputeLightingDec, ScalarLookup },
   { F::ScalarGradientStored, &ComputeLightingDec, ScalarGradientStored },
   { F::ScalarGradientCentral, &ComputeLightingDec, ScalarGradientCentral },
+  { F::ScalarPairFetched, &ComputeLightingDec, ScalarPairFetched },
+  { F::ScalarPairExtrapolated, &ComputeLightingDec, ScalarPairExtrapolated },
   { F::Surface, &ComputeLightingDec, SurfaceDec },
   { F::SurfaceOfExtinction, &ComputeLightingDec, SurfaceOfExtinction },
   { F::SurfaceInData, &ComputeLightingDec, SurfaceInData },
@@ -159,9 +183,22 @@ const Row Table[] = {
   { F::GradientOpacityScalar, &ComputeLightingDec, GradientOpacityScalar },
   { F::Reflectance, &ComputeLightingDec, CoefficientsDec },
   { F::CoefficientsOfProperty, &ComputeLightingDec, CoefficientsOfProperty },
+  { F::CoefficientsOfTable, &ComputeLightingDec, CoefficientsOfTable },
+  { F::HybridNormals, &ComputeLightingDec, HybridNormal },
+  { F::HybridNormals, &ComputeLightingDec, HybridDec },
   { F::Reflectance, &ComputeLightingDec, Lighting },
+  { F::MultiSample, &ComputeLightingDec, SoftRange },
+  { F::MultiSample, &ComputeLightingDec, MultiSampleRule },
+  { F::MultiSample, &ComputeLightingDec, ClassifiedSample },
 
-  { F::Integral, &ComputeRayDirectionDec, DataSpace },
+  { F::ScalarGradientStored, &GradientPlace, ScalarGradientOfSample },
+  { F::ScalarGradientCentral, &GradientPlace, ScalarGradientOfSample },
+  { F::HybridNormals, &SurfacePlace, HybridSurface },
+  { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
+  { F::Transmitted, &SurfacePlace, TransmittedSurface },
+  { F::Transmitted, &LightPlace, TransmittedSide },
+  { F::Transmitted, &TransmissionPlace, Transmitted },
+
   { F::Integral, &ComputeRayDirectionDec, IntegralDec },
   { F::ColorTable, &ComputeRayDirectionDec, ColorTable },
   { F::NoColorTable, &ComputeRayDirectionDec, NoColorTable },
@@ -177,6 +214,8 @@ const Row Table[] = {
   { F::SilhouetteOn, &ComputeRayDirectionDec, SilhouetteGeometry },
   { F::SilhouetteExact, &ComputeRayDirectionDec, SilhouetteExact },
   { F::SilhouetteClamped, &ComputeRayDirectionDec, SilhouetteClamped },
+  { F::TransmittedNone, &ComputeRayDirectionDec, TransmittedNone },
+  { F::Transmitted, &ComputeRayDirectionDec, TransmittedShare },
   { F::Integral, &ComputeRayDirectionDec, SegmentSmooth },
   { F::IsosurfacesNone, &ComputeRayDirectionDec, IsosurfacesNone },
   { F::Isosurfaces, &ComputeRayDirectionDec, Isosurfaces },
@@ -199,6 +238,27 @@ const Statement LightingCalls[] = {
   { "return computeLighting(", "g_opticsScalar = scalar;\n  return computeLighting(" },
   { "g_srcColor = computeLighting(", "g_opticsScalar = scalar;\n      g_srcColor = computeLighting(" },
 };
+
+// Where VTK classifies a sample by its scalar alone; after the calls above.
+const Statement ClassificationCalls[] = {
+  { "g_srcColor.a = computeOpacity(scalar);",
+    "g_srcColor.a = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
+  { "float opacity = computeOpacity(scalar);",
+    "float opacity = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
+  { "return clamp(computeLighting(", "return clamp(opticsLightClassified(" },
+  { "return opticsUnclamped(computeLighting(", "return opticsUnclamped(opticsLightClassified(" },
+};
+
+template <std::size_t Count>
+bool ReplaceAny(std::string& fragment, const Statement (&statements)[Count])
+{
+  bool found = false;
+  for (const Statement& statement : statements)
+  {
+    found |= vtkShaderProgram::Substitute(fragment, statement.Text, statement.Replacement, true);
+  }
+  return found;
+}
 
 std::string TextFor(const Place& place, const OpticsFeatures& features)
 {
@@ -224,7 +284,7 @@ std::string NumberOfLightsText(int lights)
 // Our own places are in our text; those that no term fills leave nothing behind.
 void FillOwnPlaces(std::string& fragment, const OpticsFeatures& features)
 {
-  for (const Place* place : { &SurfacePlace, &LightPlace, &TransmissionPlace })
+  for (const Place* place : { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace })
   {
     vtkShaderProgram::Substitute(fragment, place->Tag, TextFor(*place, features), false);
   }
@@ -270,16 +330,8 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 //------------------------------------------------------------------------------
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
-  if (!features.Has(OpticsFeature::Reflectance))
-  {
-    return true;
-  }
-  bool found = false;
-  for (const Statement& call : LightingCalls)
-  {
-    found |= vtkShaderProgram::Substitute(fragment, call.Text, call.Replacement, true);
-  }
-  return found;
+  const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
+  return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
 }
 
 //------------------------------------------------------------------------------

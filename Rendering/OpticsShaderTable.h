@@ -25,11 +25,18 @@ enum class OpticsFeature
   ReflectanceWard,
   ReflectanceLafortune,
   CoefficientsOfProperty,
+  CoefficientsOfTable,
+  ScalarPairFetched,
+  ScalarPairExtrapolated,
+  MultiSample,
+  HybridNormals,
+  HybridDiffuse,     // with a model whose diffuse part has a side
   Scattering,        // a model whose diffuse part is a phase function
   Surface,           // a model with a normal
   ExtinctionSurface, // a model with the normal of the classified extinction
   SurfaceOfExtinction,
   SurfaceInData,
+  ScalarLookup,
   ScalarGradientStored,
   ScalarGradientCentral,
   Anisotropic,
@@ -61,6 +68,8 @@ enum class OpticsFeature
   SilhouetteOn, // any but off
   SilhouetteExact,
   SilhouetteClamped,
+  TransmittedNone,
+  Transmitted,
   HiddenHalf,
   HiddenByCropping,
   IsosurfacesNone,

@@ -19,6 +19,17 @@
 #include <algorithm>
 #include <vector>
 
+namespace
+{
+void InterpolateWithin(vtkTextureObject* texture)
+{
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+}
+}
+
 //------------------------------------------------------------------------------
 void PreIntegratedTexture::SetFunctions(const OpticsScene& scene)
 {
@@ -46,13 +57,14 @@ void PreIntegratedTexture::Update(const OpticsScene& scene)
   {
     this->UploadedTime = this->Table->GetBuildTime();
     this->UploadedBits = bits;
-    this->Upload(scene);
+    this->UploadEntries(scene);
+    this->UploadDepths(scene);
   }
 }
 
 //------------------------------------------------------------------------------
 // Without a table there is one clear entry.
-void PreIntegratedTexture::Upload(const OpticsScene& scene)
+void PreIntegratedTexture::UploadEntries(const OpticsScene& scene)
 {
   const float* entries = this->Table->GetEntries();
   const int size = entries ? this->Table->GetSize() : 1;
@@ -67,27 +79,53 @@ void PreIntegratedTexture::Upload(const OpticsScene& scene)
   this->Texture->SetContext(scene.Window);
   this->Texture->SetInternalFormat(this->UploadedBits == 16 ? GL_RGBA16F : GL_RGBA32F);
   this->Texture->Create2DFromRaw(size, size, 4, VTK_FLOAT, texels.data());
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  InterpolateWithin(this->Texture);
 }
 
 //------------------------------------------------------------------------------
-void PreIntegratedTexture::SetUniforms(vtkShaderProgram* program)
+void PreIntegratedTexture::UploadDepths(const OpticsScene& scene)
 {
-  this->Texture->Activate();
-  program->SetUniformi("in_opticsSegmentTable", this->Texture->GetTextureUnit());
-  program->SetUniformf("in_opticsSegmentTableSize", static_cast<float>(this->Texture->GetWidth()));
-  program->SetUniformf("in_opticsLargestAttenuation", static_cast<float>(this->LargestAttenuation));
+  const float* depths = this->Table->GetDepthsBehind();
+  const int size = depths ? this->Table->GetSize() : 1;
+  std::vector<float> texels(std::size_t(2) * size);
+  if (depths)
+  {
+    std::copy(depths, depths + texels.size(), texels.begin());
+  }
+  this->DepthsBehind = vtkSmartPointer<vtkTextureObject>::New();
+  this->DepthsBehind->SetContext(scene.Window);
+  this->DepthsBehind->Create1DFromRaw(size, 2, VTK_FLOAT, texels.data());
+  InterpolateWithin(this->DepthsBehind);
+}
+
+//------------------------------------------------------------------------------
+void PreIntegratedTexture::SetUniforms(const OpticsScene& scene, vtkShaderProgram* program)
+{
+  const float size = static_cast<float>(this->Texture->GetWidth());
+  if (IsPreIntegrated(scene))
+  {
+    this->Texture->Activate();
+    program->SetUniformi("in_opticsSegmentTable", this->Texture->GetTextureUnit());
+    program->SetUniformf("in_opticsSegmentTableSize", size);
+    program->SetUniformf("in_opticsLargestAttenuation", static_cast<float>(this->LargestAttenuation));
+  }
+  if (TransmitsLight(scene))
+  {
+    this->DepthsBehind->Activate();
+    program->SetUniformi("in_opticsDepthsBehind", this->DepthsBehind->GetTextureUnit());
+    program->SetUniformf("in_opticsDepthsBehindSize", size);
+  }
 }
 
 //------------------------------------------------------------------------------
 void PreIntegratedTexture::Unbind()
 {
-  if (this->Texture)
+  for (vtkTextureObject* texture : { this->Texture.Get(), this->DepthsBehind.Get() })
   {
-    this->Texture->Deactivate();
+    if (texture)
+    {
+      texture->Deactivate();
+    }
   }
 }
 
@@ -97,14 +135,18 @@ void PreIntegratedTexture::Release(vtkWindow* window)
   if (this->Texture)
   {
     this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
+    this->DepthsBehind->ReleaseGraphicsResources(window);
+    this->Texture = this->DepthsBehind = nullptr;
   }
 }
 
 //------------------------------------------------------------------------------
 std::size_t PreIntegratedTexture::GetMemorySize() const
 {
-  return this->Texture
-    ? std::size_t(4) * this->Texture->GetWidth() * this->Texture->GetHeight() * this->UploadedBits / 8
-    : 0;
+  if (!this->Texture)
+  {
+    return 0;
+  }
+  const std::size_t size = this->Texture->GetWidth();
+  return 4 * size * size * this->UploadedBits / 8 + 2 * size * sizeof(float);
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A vtkPreIntegratedTable of a scene's transfer functions on the GPU.
+// A vtkPreIntegratedTable of a scene's transfer functions on the GPU: its entries, and the depths behind a
+// scalar that transmitted light needs.
 
 #ifndef PreIntegratedTexture_h
 #define PreIntegratedTexture_h
@@ -21,17 +22,19 @@ class PreIntegratedTexture
 public:
   /** After VTK has loaded the volume. Builds and uploads what has changed. */
   void Update(const OpticsScene& scene);
-  void SetUniforms(vtkShaderProgram* program);
+  void SetUniforms(const OpticsScene& scene, vtkShaderProgram* program);
   void Unbind();
   void Release(vtkWindow* window);
   std::size_t GetMemorySize() const;
 
 private:
   void SetFunctions(const OpticsScene& scene);
-  void Upload(const OpticsScene& scene);
+  void UploadEntries(const OpticsScene& scene);
+  void UploadDepths(const OpticsScene& scene);
 
   vtkNew<vtkPreIntegratedTable> Table;
   vtkSmartPointer<vtkTextureObject> Texture;
+  vtkSmartPointer<vtkTextureObject> DepthsBehind;
   vtkMTimeType UploadedTime = 0;
   int UploadedBits = 0;
   double LargestAttenuation = 0.0;

@@ -8,6 +8,7 @@
 #include "vtkOpticsVolumeProperty.h"
 
 #include "vtkCamera.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -52,6 +53,18 @@ void ScalarRange(const OpticsScene& scene, int component, double range[2])
   {
     range[1] = range[0] + std::max(1.0, std::abs(range[0])) * 1.0e-3;
   }
+}
+
+//------------------------------------------------------------------------------
+void CoordinateRange(const OpticsScene& scene, double range[2])
+{
+  ScalarRange(scene, scene.OpacityComponent, range);
+  const int type = scene.Scalars->GetDataType();
+  const bool isCode = scene.Scalars->GetDataTypeSize() <= 2 && type != VTK_BIT;
+  const double largest = isCode ? scene.Scalars->GetDataTypeMax() : 0.0;
+  const double factor = isCode ? largest / (largest + 1.0) : 1.0;
+  range[0] *= factor;
+  range[1] *= factor;
 }
 
 //------------------------------------------------------------------------------

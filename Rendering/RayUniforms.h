@@ -18,6 +18,10 @@ double UnitDistance(const OpticsScene& scene);
 /** The loaded scalars' range of a component; a constant one is given a width. */
 void ScalarRange(const OpticsScene& scene, int component, double range[2]);
 
+/** The scalars that VTK's coordinates 0 and 1 stand for: not its range, where it takes the codes of 8 and
+ * 16 bits for one more than there are. */
+void CoordinateRange(const OpticsScene& scene, double range[2]);
+
 /** Data to eye space, for directions and for normals. */
 void SetSpaceUniforms(const OpticsScene& scene, vtkShaderProgram* program);
 

@@ -49,7 +49,7 @@ void AddExtinctionFeatures(const OpticsScene& scene, OpticsFeatures& features)
 
 void AddSurfaceFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
-  if (HasSurface(scene))
+  if (HasSurface(scene) || TransmitsLight(scene))
   {
     features.Add(OpticsFeature::Surface);
   }
@@ -86,6 +86,17 @@ void SetExtinctionUniforms(const OpticsScene& scene, vtkShaderProgram* program)
   const double meanSpacing = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
   program->SetUniformf("in_opticsChangeToVTK", static_cast<float>(4.0 * meanSpacing / step));
 }
+
+void SayUnsupported(const OpticsScene& scene, const std::string& reason)
+{
+  const bool hasModel = scene.Optics->GetReflectanceModel() != Property::VTK;
+  const std::string who = hasModel
+    ? std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString()
+    : std::string("The lighting transfer function");
+  const std::string remedy = hasModel ? "SetReflectanceModelToVTK()" : "SetLightingTransferFunction(nullptr)";
+  scene.Mapper->Say(
+    who + " does not support " + reason + ": the picture is VTK's own. " + remedy + " silences this.");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -98,9 +109,7 @@ bool ReflectanceTerm::IsActive(const OpticsScene& scene)
   const std::string reason = FindUnsupported(scene);
   if (!reason.empty())
   {
-    scene.Mapper->Say(std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString() +
-      " does not support " + reason +
-      ": the picture is VTK's own. SetReflectanceModelToVTK() silences this.");
+    SayUnsupported(scene, reason);
   }
   return reason.empty();
 }
@@ -118,7 +127,10 @@ void ReflectanceTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
   features.Add(OpticsFeature::Ray);
   features.Add(OpticsFeature::SampleScalar);
   features.Add(ModelFeature(scene.Optics->GetReflectanceModel()));
-  features.Add(OpticsFeature::CoefficientsOfProperty);
+  if (!HasLightingTable(scene))
+  {
+    features.Add(OpticsFeature::CoefficientsOfProperty);
+  }
   features.NumberOfLights = CountLights(scene.Renderer);
   features.Add(
     HasPositionalLight(scene.Renderer) ? OpticsFeature::LightsPositional : OpticsFeature::LightsDirectional);
@@ -139,7 +151,8 @@ void ReflectanceTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* pr
   SetScalarUniforms(scene, program);
   SetLightUniforms(scene.Renderer, program);
   program->SetUniformf("in_opticsScatteringAnisotropy", scene.Optics->GetScatteringAnisotropy());
-  program->SetUniformf("in_opticsTwoSided", scene.Renderer->GetTwoSidedLighting() ? 1.0F : 0.0F);
+  const bool isTwoSided = scene.Renderer->GetTwoSidedLighting() && !HasHybridNormals(scene);
+  program->SetUniformf("in_opticsTwoSided", isTwoSided ? 1.0F : 0.0F);
   if (HasExtinctionSurface(scene))
   {
     SetSurfaceUniforms(scene, program);

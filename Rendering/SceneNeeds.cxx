@@ -91,13 +91,60 @@ bool IntegratesInData(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool WantsLighting(const OpticsScene& scene)
 {
-  return scene.Volume->GetProperty()->GetShade() && scene.Optics->GetReflectanceModel() != Property::VTK;
+  return scene.Volume->GetProperty()->GetShade() &&
+    (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
+      TransmitsLight(scene));
 }
 
 //------------------------------------------------------------------------------
 bool ReplacesLighting(const OpticsScene& scene)
 {
   return WantsLighting(scene) && FindUnsupported(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool HasLightingTable(const OpticsScene& scene)
+{
+  return ReplacesLighting(scene) && scene.Optics->GetLightingTransferFunction();
+}
+
+//------------------------------------------------------------------------------
+bool HasHybridNormals(const OpticsScene& scene)
+{
+  return HasLightingTable(scene) && HasSurface(scene) && scene.Optics->GetHybridNormals() && !Is2D(scene);
+}
+
+//------------------------------------------------------------------------------
+bool WantsClassification(const OpticsScene& scene)
+{
+  return scene.Optics->GetMultiSampleClassification() != nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupportedByClassification(const OpticsScene& scene)
+{
+  const std::string reason = FindUnsupported(scene);
+  if (!reason.empty())
+  {
+    return reason;
+  }
+  if (Is2D(scene))
+  {
+    return "2D transfer functions";
+  }
+  if (WantsIntegral(scene))
+  {
+    return "IntegrationSpace Data or Classification PreIntegrated";
+  }
+  return HasExtinctionSurface(scene)
+    ? "reflectance models whose normals are of the opacity function's extinction (take VTK or None)"
+    : "";
+}
+
+//------------------------------------------------------------------------------
+bool ReplacesClassification(const OpticsScene& scene)
+{
+  return WantsClassification(scene) && FindUnsupportedByClassification(scene).empty();
 }
 
 //------------------------------------------------------------------------------
@@ -116,6 +163,13 @@ bool HasIsosurfaces(const OpticsScene& scene)
 bool HasSilhouettes(const OpticsScene& scene)
 {
   return IntegratesInData(scene) && scene.Optics->GetSilhouette() != Property::SilhouetteOff;
+}
+
+//------------------------------------------------------------------------------
+bool TransmitsLight(const OpticsScene& scene)
+{
+  return scene.Optics->GetTransmittedLight() != Property::TransmittedLightOff &&
+    scene.Volume->GetProperty()->GetShade() && IntegratesInData(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -173,8 +227,10 @@ bool NeedsCentralDifferences(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool NeedsScalarGradient(const OpticsScene& scene)
 {
-  const bool forLight = ReplacesLighting(scene) && scene.Optics->GetReflectanceModel() == Property::VTK;
-  return forLight || HasSilhouettes(scene);
+  const bool forLight = ReplacesLighting(scene) &&
+    (scene.Optics->GetReflectanceModel() == Property::VTK || HasLightingTable(scene) ||
+      TransmitsLight(scene));
+  return forLight || HasSilhouettes(scene) || ReplacesClassification(scene);
 }
 
 //------------------------------------------------------------------------------

@@ -25,9 +25,23 @@ bool IntegratesInData(const OpticsScene& scene);
 bool WantsLighting(const OpticsScene& scene);
 bool ReplacesLighting(const OpticsScene& scene);
 
+/** Whether a lighting transfer function gives the coefficients, and whether normals take their side from
+ * the classified density. */
+bool HasLightingTable(const OpticsScene& scene);
+bool HasHybridNormals(const OpticsScene& scene);
+
+/** Whether the scene asks for colour and opacity by several samples, why they can't be had (empty where they
+ * can), and whether it gets them. */
+bool WantsClassification(const OpticsScene& scene);
+std::string FindUnsupportedByClassification(const OpticsScene& scene);
+bool ReplacesClassification(const OpticsScene& scene);
+
 bool IsPreIntegrated(const OpticsScene& scene);
 bool HasIsosurfaces(const OpticsScene& scene);
 bool HasSilhouettes(const OpticsScene& scene);
+
+/** Whether light shines through from behind. */
+bool TransmitsLight(const OpticsScene& scene);
 
 bool HasGradientOpacity(const OpticsScene& scene);
 bool Is2D(const OpticsScene& scene);

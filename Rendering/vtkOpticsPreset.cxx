@@ -3,13 +3,13 @@
 
 #include "vtkOpticsPreset.h"
 
+#include "JsonDocument.h"
+
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpticsVolumeProperty.h"
-#include "vtk_jsoncpp.h"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 vtkStandardNewMacro(vtkOpticsPreset);
@@ -170,20 +170,14 @@ std::string NamesOfSettings()
 //------------------------------------------------------------------------------
 bool ReadObject(const char* fileName, Json::Value& object)
 {
-  std::ifstream file(fileName ? fileName : "");
-  if (!file)
+  try
   {
-    vtkGenericWarningMacro(<< "The preset " << (fileName ? fileName : "(no name)")
-                           << " cannot be opened; VTK's own model is used.");
-    return false;
+    object = volumeoptics::ReadJsonObject(fileName);
   }
-  std::string errors;
-  Json::CharReaderBuilder builder;
-  const bool parsed = Json::parseFromStream(builder, file, &object, &errors);
-  if (!parsed || !object.isObject())
+  catch (const volumeoptics::JsonError& error)
   {
-    vtkGenericWarningMacro(<< "The preset " << fileName << " is not a JSON object"
-                           << (errors.empty() ? "" : ": ") << errors);
+    vtkGenericWarningMacro(<< "The preset " << (fileName ? fileName : "(no name)") << ": " << error.what()
+                           << " VTK's own model is used.");
     return false;
   }
   return true;

@@ -7,6 +7,8 @@
 #include "FrameTerm.h"
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
+#include "LightingTransferFunctionTerm.h"
+#include "MultiSampleTerm.h"
 #include "OpticsFactory.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
@@ -39,6 +41,7 @@ vtkStandardNewMacro(vtkOpticsVolumeMapper);
 namespace
 {
 const char* const GradientTypeNames[] = { "Stored", "CentralDifferences" };
+const char* const LightingSamplesNames[] = { "Fetched", "Extrapolated" };
 }
 
 class vtkOpticsVolumeMapper::Implementation
@@ -52,8 +55,10 @@ public:
   TransferFunctionTerm TransferFunctions;
   ReflectanceTerm Reflectance{ this->Frames };
   IntegrationTerm Integration{ this->Frames };
+  LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
+  MultiSampleTerm MultiSample{ this->Frames };
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->Integration };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -286,6 +291,12 @@ const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetLightingSamplesAsString()
+{
+  return LightingSamplesNames[this->LightingSamples];
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetQuality(int quality)
 {
   this->Quality = std::clamp(quality, static_cast<int>(Custom), static_cast<int>(Reference));
@@ -419,6 +430,8 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FramePrecision: " << this->FramePrecision << "\n";
   os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
   os << indent << "ScalarGradient: " << this->GetScalarGradientAsString() << "\n";
+  os << indent << "LightingTableSize: " << this->LightingTableSize << "\n";
+  os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
   os << indent << "PreIntegrationTableSize: " << this->PreIntegrationTableSize << "\n";
   os << indent << "TablePrecision: " << this->TablePrecision << "\n";
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";

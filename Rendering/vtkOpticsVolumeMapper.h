@@ -79,7 +79,9 @@ public:
   ///@{
   /**
    * Normals computed elsewhere: an image with float point arrays "Normals" (3 components, unit, world
-   * axes) and "GradientMagnitude" (per world length). Default none.
+   * axes) and "GradientMagnitude" (per world length). Default none. Without an anisotropy input the
+   * covariance is computed from these normals; they lie on the volume's grid then, or on that of a
+   * lower ResolutionFactor of the filters. The frame source Curvature has normals of its own.
    */
   void SetNormalsInputConnection(vtkAlgorithmOutput* output);
   void SetNormalsInputData(vtkImageData* normals);
@@ -159,6 +161,15 @@ public:
 
   ///@{
   /**
+   * Points on each axis of the table of a lighting transfer function, over the range of the scalars;
+   * in [1, 4096]. Default 256. The GPU holds the square of it, four numbers each.
+   */
+  vtkGetMacro(LightingTableSize, int);
+  vtkSetClampMacro(LightingTableSize, int, 1, 4096);
+  ///@}
+
+  ///@{
+  /**
    * Entries per axis of the table of Classification PreIntegrated, in [2, 4096]. Default 256. The table is
    * rebuilt when a transfer function or the range of the data changes.
    */
@@ -168,11 +179,30 @@ public:
 
   ///@{
   /**
-   * Bits of each number of that table on the GPU: 16 or 32 (half or single float). Default 32. Other
+   * Bits of each number of transfer functions' tables on the GPU: 16 or 32 (float). Default 32. Other
    * numbers are refused with a warning.
    */
   vtkGetMacro(TablePrecision, int);
   void SetTablePrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
+   * Where a lighting transfer function and a classification by several samples take the scalars on both
+   * sides of a sample from: two fetches of
+   * the volume along the gradient (Fetched); or as if the scalar were linear there, from the gradient's
+   * magnitude, by no fetch of its own (Extrapolated). Default Fetched.
+   */
+  enum LightingSamplesType
+  {
+    Fetched = 0,
+    Extrapolated
+  };
+  vtkGetMacro(LightingSamples, int);
+  vtkSetClampMacro(LightingSamples, int, Fetched, Extrapolated);
+  void SetLightingSamplesToFetched() { this->SetLightingSamples(Fetched); }
+  void SetLightingSamplesToExtrapolated() { this->SetLightingSamples(Extrapolated); }
+  const char* GetLightingSamplesAsString();
   ///@}
 
   ///@{
@@ -246,6 +276,8 @@ private:
   int FramePrecision = 8;
   int ExtinctionGradient = Stored;
   int ScalarGradient = CentralDifferences;
+  int LightingTableSize = 256;
+  int LightingSamples = Fetched;
   int PreIntegrationTableSize = 256;
   int TablePrecision = 32;
   int Quality = Custom;

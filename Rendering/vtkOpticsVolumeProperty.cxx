@@ -4,6 +4,8 @@
 #include "vtkOpticsVolumeProperty.h"
 
 #include "ParameterRange.h"
+#include "vtkLightingTransferFunction.h"
+#include "vtkMultiSampleClassification.h"
 
 #include "vtkObjectFactory.h"
 
@@ -31,6 +33,12 @@ bool HasAnisotropyScale(int model)
   return model == vtkOpticsVolumeProperty::Ward || model == vtkOpticsVolumeProperty::Lafortune;
 }
 }
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty::vtkOpticsVolumeProperty() = default;
+
+//------------------------------------------------------------------------------
+vtkOpticsVolumeProperty::~vtkOpticsVolumeProperty() = default;
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::SetReflectanceModel(int model)
@@ -162,6 +170,62 @@ void vtkOpticsVolumeProperty::SetScalarOpacityUnitInterval(double interval)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetLightingTransferFunction(vtkLightingTransferFunction* function)
+{
+  if (this->LightingTransferFunction != function)
+  {
+    this->LightingTransferFunction = function;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLightingTransferFunction* vtkOpticsVolumeProperty::GetLightingTransferFunction()
+{
+  return this->LightingTransferFunction;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetMultiSampleClassification(vtkMultiSampleClassification* classification)
+{
+  if (this->MultiSampleClassification != classification)
+  {
+    this->MultiSampleClassification = classification;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiSampleClassification* vtkOpticsVolumeProperty::GetMultiSampleClassification()
+{
+  return this->MultiSampleClassification;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetGradientStepLength(double length)
+{
+  volumeoptics::SetWithinRange(this, "GradientStepLength", length, 0.0, 1.0e4, this->GradientStepLength);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::SetLightScale(double scale)
+{
+  volumeoptics::SetWithinRange(this, "LightScale", scale, 0.0, 1.0e6, this->LightScale);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkOpticsVolumeProperty::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  for (vtkObject* object : { static_cast<vtkObject*>(this->LightingTransferFunction),
+         static_cast<vtkObject*>(this->MultiSampleClassification) })
+  {
+    time = object ? std::max(time, object->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
 {
   this->Superclass::DeepCopy(source);
@@ -182,7 +246,23 @@ void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
   this->Isosurfaces = optics->Isosurfaces;
   this->Silhouette = optics->Silhouette;
   this->TransmittedLight = optics->TransmittedLight;
+  this->CopyLightingTransferFunction(optics);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeProperty::CopyLightingTransferFunction(vtkOpticsVolumeProperty* source)
+{
+  this->LightingTransferFunction = nullptr;
+  if (source->LightingTransferFunction)
+  {
+    this->LightingTransferFunction = vtkSmartPointer<vtkLightingTransferFunction>::New();
+    this->LightingTransferFunction->ShallowCopy(source->LightingTransferFunction);
+  }
+  this->MultiSampleClassification = source->MultiSampleClassification;
+  this->GradientStepLength = source->GradientStepLength;
+  this->LightScale = source->LightScale;
+  this->HybridNormals = source->HybridNormals;
 }
 
 //------------------------------------------------------------------------------
@@ -209,4 +289,9 @@ void vtkOpticsVolumeProperty::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "Silhouette: " << this->GetSilhouetteAsString() << "\n";
   os << indent << "TransmittedLight: " << this->GetTransmittedLightAsString() << "\n";
+  os << indent << "LightingTransferFunction: " << this->LightingTransferFunction.Get() << "\n";
+  os << indent << "MultiSampleClassification: " << this->MultiSampleClassification.Get() << "\n";
+  os << indent << "GradientStepLength: " << this->GradientStepLength << "\n";
+  os << indent << "LightScale: " << this->LightScale << "\n";
+  os << indent << "HybridNormals: " << (this->HybridNormals ? "on" : "off") << "\n";
 }

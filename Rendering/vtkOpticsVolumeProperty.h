@@ -16,7 +16,7 @@
  * A number outside its range is set to the nearest one of the range, with a warning; a choice that
  * does not exist, or a number that is NaN, leaves the setting as it is, with a warning.
  *
- * Sources: [Ament2015], [Kraus2005], see Module/References.md.
+ * Sources: [Ament2015], [Kraus2005], [Lum2004], see Module/References.md.
  *
  * @sa vtkOpticsVolumeMapper
  */
@@ -24,10 +24,14 @@
 #ifndef vtkOpticsVolumeProperty_h
 #define vtkOpticsVolumeProperty_h
 
+#include "vtkSmartPointer.h"       // for the lighting transfer function
 #include "vtkVolumeOpticsModule.h" // for export macro
 #include "vtkVolumeProperty.h"
 
 #include <vector> // for the isosurfaces
+
+class vtkLightingTransferFunction;
+class vtkMultiSampleClassification;
 
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeProperty : public vtkVolumeProperty
 {
@@ -38,7 +42,8 @@ public:
 
   /**
    * Copies the settings of vtkVolumeProperty and, if the source has them, of this class. Transfer
-   * functions are copied deeply.
+   * functions are copied deeply, but curves and table image of a lighting transfer function, and a
+   * classification by several samples, are shared.
    */
   void DeepCopy(vtkVolumeProperty* source);
 
@@ -243,9 +248,65 @@ public:
   const char* GetTransmittedLightAsString();
   ///@}
 
+  ///@{
+  /**
+   * With Shade on: coefficients of light by the scalars on both sides of a sample along the gradient.
+   * They replace Ambient, Diffuse and Specular with every reflectance model, and are multiplied by
+   * LightScale. nullptr, the default, is none. [Lum2004]
+   */
+  void SetLightingTransferFunction(vtkLightingTransferFunction* function);
+  vtkLightingTransferFunction* GetLightingTransferFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Colour and opacity by the scalar of a sample and those on both sides of it, in place of those of the
+   * transfer functions where a rule holds. nullptr, the default, is none. Not with IntegrationSpace Data,
+   * Classification PreIntegrated, 2D transfer functions or the reflectance models Blinn-Phong, Ward and
+   * Lafortune, which the mapper says. [Lum2004] section 7.
+   */
+  void SetMultiSampleClassification(vtkMultiSampleClassification* classification);
+  vtkMultiSampleClassification* GetMultiSampleClassification();
+  ///@}
+
+  ///@{
+  /**
+   * Distance from a sample to those on both sides of it, in units of the image's smallest spacing; in
+   * [0, 1e4], default 1. At 0 both are the sample itself. Outside of the volume the scalar is that of
+   * its nearest border point. [Lum2004] h of eq. 2.
+   */
+  vtkGetMacro(GradientStepLength, double);
+  void SetGradientStepLength(double length);
+  ///@}
+
+  ///@{
+  /**
+   * Factor of the coefficients of the lighting transfer function; in [0, 1e6], default 1. Above 1 a
+   * sample's colour may exceed its opacity, so that nearly transparent boundaries remain visible; it
+   * is not clamped before the whole ray is composited. [Lum2004] section 3.4.
+   */
+  vtkGetMacro(LightScale, double);
+  void SetLightScale(double scale);
+  ///@}
+
+  ///@{
+  /**
+   * With a lighting transfer function: whether light falls on one side of a surface alone, on that of
+   * the less opaque material, as the scalar opacity function has it for the scalars on both sides,
+   * whatever the renderer's two-sided lighting; where both are of nearly the same opacity light fades
+   * from one side to the other. Default off. [Lum2004] section 3.3.
+   */
+  vtkGetMacro(HybridNormals, bool);
+  vtkSetMacro(HybridNormals, bool);
+  vtkBooleanMacro(HybridNormals, bool);
+  ///@}
+
+  /** The latest change of this object and of the functions it refers to. */
+  vtkMTimeType GetMTime() override;
+
 protected:
-  vtkOpticsVolumeProperty() = default;
-  ~vtkOpticsVolumeProperty() override = default;
+  vtkOpticsVolumeProperty();
+  ~vtkOpticsVolumeProperty() override;
 
 private:
   vtkOpticsVolumeProperty(const vtkOpticsVolumeProperty&) = delete;
@@ -260,6 +321,7 @@ private:
   };
   int InsertIsosurface(const Isosurface& surface);
   bool HasIsosurface(int index);
+  void CopyLightingTransferFunction(vtkOpticsVolumeProperty* source);
 
   int ReflectanceModel = VTK;
   double Glossiness[NumberOfReflectanceModels] = { 0.0, 0.0, 30.0, 0.2, 30.0 };
@@ -273,6 +335,11 @@ private:
   std::vector<Isosurface> Isosurfaces;
   int Silhouette = SilhouetteOff;
   int TransmittedLight = TransmittedLightOff;
+  vtkSmartPointer<vtkLightingTransferFunction> LightingTransferFunction;
+  vtkSmartPointer<vtkMultiSampleClassification> MultiSampleClassification;
+  double GradientStepLength = 1.0;
+  double LightScale = 1.0;
+  bool HybridNormals = false;
 };
 
 #endif

@@ -111,8 +111,9 @@ public:
 
   /**
    * Size pairs: the optical depth in data space from an entry's scalar to the end of its peak, towards
-   * larger and towards smaller scalars; both are 0 where the opacity is. A peak ends where the opacity is
-   * 0. What TransmittedShare() of DataSpace.glsl needs. Null if the table is empty.
+   * larger and towards smaller scalars. A peak ends where the opacity is 0, or the range. Between peaks both
+   * are 0; at the end of one, the depth into it is that of the whole peak. What TransmittedShare() of
+   * DataSpace.glsl needs. Null if the table is empty.
    */
   const float* GetDepthsBehind() VTK_SIZEHINT(2 * GetSize());
 

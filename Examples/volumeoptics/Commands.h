@@ -10,6 +10,7 @@
 
 void AddRenderCommand(CLI::App& program);
 void AddViewCommand(CLI::App& program);
+void AddEditorCommand(CLI::App& program);
 void AddInfoCommand(CLI::App& program);
 void AddGalleryCommand(CLI::App& program);
 void AddTradeCommand(CLI::App& program);

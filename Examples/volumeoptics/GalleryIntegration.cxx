@@ -121,7 +121,7 @@ GallerySection OrbitalSection()
     "little above the isovalue, so the gradient is small there, and opacity per length makes the ring more "
     "opaque than the lobes.",
     3, {}, false };
-  PictureSettings settings = Base({ 0.0, 22.0, 1.25 });
+  PictureSettings settings = Base({ 0.0, 22.0, 1.5 });
   section.Pictures = { Standard("orbital", field, settings, surfaces, 0.8,
                          "The ring looks denser than the lobes; nothing in the data says so."),
     ScaleInvariant("orbital", field, settings, surfaces, "off", "Opacity 0.35 on all three parts."),
@@ -197,8 +197,8 @@ GallerySection LimitSection()
                       : "The steps are hardly seen." });
   }
   const double opacity = 1.0 - transparency;
-  settings.Function.Opacity = { { first - edge, 0.0 }, { first, opacity }, { last, opacity },
-    { last + edge, 0.0 } };
+  settings.Function.Opacity = { { 0.0, 0.0 }, { first - edge, 0.0 }, { first, opacity }, { last, opacity },
+    { last + edge, 0.0 }, { 1.0, 0.0 } };
   settings.Function.Integration.UnitInterval = last - first;
   section.Pictures.push_back({ "limit-integral", "The integral", "coulomb", settings, "The limit." });
   return section;

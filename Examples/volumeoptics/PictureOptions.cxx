@@ -3,6 +3,7 @@
 
 #include "PictureOptions.h"
 
+#include "Lighting.h"
 #include "Progress.h"
 #include "UserError.h"
 
@@ -96,6 +97,26 @@ void AddAmbient(CLI::App& command, AmbientSettings& ambient)
     ->group(group);
 }
 
+void AddLighting(CLI::App& command, PictureOptions& options)
+{
+  const auto group = "Lighting transfer function";
+  LightingSettings& lighting = options.Picture.Lighting;
+  options.AddLightingFile(command)->group(group);
+  command.add_option("--light-scale", lighting.Scale, "Factor of all light by a lighting transfer function")
+    ->check(CLI::Range(0.0, 1.0e4))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_option("--gradient-step", lighting.StepLength,
+      "Distance of the two samples along the gradient, in voxels of the finest spacing")
+    ->check(CLI::Range(0.01, 100.0))
+    ->capture_default_str()
+    ->group(group);
+  command
+    .add_flag("--hybrid-normals", lighting.HybridNormals, "Light from the side of the lower opacity alone")
+    ->group(group);
+}
+
 void AddView(CLI::App& command, PictureOptions& options)
 {
   const auto group = "View";
@@ -175,11 +196,18 @@ void PictureOptions::AddTo(CLI::App& command)
   this->Integration.AddTo(command);
   AddOptics(command, this->Picture.Optics);
   AddAmbient(command, this->Picture.Ambient);
+  AddLighting(command, *this);
   AddView(command, *this);
   command.add_option("--quality", this->Picture.Quality, "Preset of time against accuracy")
     ->check(CLI::IsMember({ "custom", "draft", "balanced", "reference" }))
     ->capture_default_str();
   command.footer(FunctionFormat);
+}
+
+CLI::Option* PictureOptions::AddLightingFile(CLI::App& command)
+{
+  return command.add_option("--lighting", this->LightingFile,
+    "Lighting transfer function (JSON): light by pairs of scalars along the gradient");
 }
 
 Volume PictureOptions::Load()
@@ -206,6 +234,10 @@ Volume PictureOptions::Load()
   if (!this->FunctionFile.empty())
   {
     this->Picture.Function = ReadTransferFunction(this->FunctionFile);
+  }
+  if (!this->LightingFile.empty())
+  {
+    this->Picture.Lighting.Function = ReadLighting(this->LightingFile);
   }
   Volume volume;
   {

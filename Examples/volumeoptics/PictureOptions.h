@@ -17,12 +17,14 @@
 struct PictureOptions
 {
   PictureOptions();
+  virtual ~PictureOptions() = default;
 
   PictureSettings Picture;
   IntegrationOptions Integration; // over those of the transfer function
   std::string File;
   std::string FunctionFile;
   std::string PresetName;
+  std::string LightingFile;
   std::string SizeText = "1024x1024";
   std::string BackgroundText = "white";
   std::vector<double> CameraValues; // azimuth, elevation, roll, zoom
@@ -32,6 +34,8 @@ struct PictureOptions
   void AddTo(CLI::App& command);
   // Reads the file and completes Picture by what depends on it. Throws UserError.
   Volume Load();
+  // The option that names LightingFile.
+  virtual CLI::Option* AddLightingFile(CLI::App& command);
 };
 
 #endif

@@ -44,9 +44,19 @@ struct LightSettings
   double Intensity = 1.0;
 };
 
+// A lighting transfer function, in place of the coefficients of Function.
+struct LightingSettings
+{
+  std::string Function; // JSON text; empty: none
+  double Scale = 1.0;
+  double StepLength = 1.0; // of the finest spacing
+  bool HybridNormals = false;
+};
+
 struct PictureSettings
 {
   OpticsSettings Optics;
+  LightingSettings Lighting;
   AmbientSettings Ambient;
   CameraSettings Camera;
   std::vector<LightSettings> Lights = { LightSettings{} };
@@ -62,8 +72,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   AmbientSettings, Radius, Samples, Tolerance, ResolutionFactor, FilterStandardDeviation, Pattern, Precision)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightingSettings, Function, Scale, StepLength, HybridNormals)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-  PictureSettings, Optics, Ambient, Camera, Lights, Function, Size, Background, Step, Quality)
+  PictureSettings, Optics, Lighting, Ambient, Camera, Lights, Function, Size, Background, Step, Quality)
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "VolumeScene.h"
 
+#include "Lighting.h"
 #include "UserError.h"
 
 #include "vtkAmbientCovarianceFilter.h"
@@ -111,6 +112,7 @@ void VolumeScene::Apply(const PictureSettings& picture)
   ::Apply(picture.Function.Integration, this->Property);
   this->ApplyMapper(picture.Function.Integration);
   this->ApplyOptics(picture.Optics);
+  ::Apply(picture.Lighting, this->Property);
   this->ApplyAmbient(picture.Ambient);
   this->ApplyQuality(picture.Quality);
   this->Mapper->SetSampleDistance(

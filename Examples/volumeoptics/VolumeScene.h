@@ -58,6 +58,7 @@ public:
   }
   vtkRenderWindow* GetWindow();
   vtkRenderer* GetRenderer() { return this->Renderer; }
+  vtkOpticsVolumeProperty* GetProperty() { return this->Property; }
   vtkOpticsVolumeMapper* GetMapper() { return this->Mapper; }
 
 private:

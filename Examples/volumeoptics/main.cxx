@@ -20,6 +20,7 @@ const char* const Examples = R"(
 Examples:
   volumeoptics render head.nrrd -o head.png --model ward --preset cranium --camera 35,8
   volumeoptics view Cranium.inv3 --model lafortune --glossiness 30
+  volumeoptics view Cranium.inv3 --lighting
   volumeoptics info Cranium.inv3
   volumeoptics gallery -o gallery
   volumeoptics trade covariance -o trade
@@ -42,6 +43,7 @@ int main(int argc, char** argv)
     "-q,--quiet", [] { Progress::SetQuiet(true); }, "No progress, no times");
   AddRenderCommand(program);
   AddViewCommand(program);
+  AddEditorCommand(program);
   AddInfoCommand(program);
   AddGalleryCommand(program);
   AddTradeCommand(program);

@@ -30,6 +30,9 @@ using namespace glm;
 #include "DataSpace.glsl"
 #include "AnisotropyFrame.glsl"
 #include "Reflectance.glsl"
+#include "SoftRange.glsl"
+#include "MultiSampleRule.glsl"
+#include "HybridNormal.glsl"
 #undef float
 }
 }

@@ -46,6 +46,7 @@ void opticsIsosurfaceToEye(int index, vec3 texPosition)
     vec3 end = g_dataPos;
     g_dataPos = texPosition;
     g_opticsIsSurface = true;
+    opticsTransmitSurface(surface.a);
     vec4 scalars = opticsScalarsAt(texPosition);
     vec3 color = surface.r < 0.0 ? opticsColor(surface.rgb, scalars) : surface.rgb;
     opticsComposite(vec4(color, opticsEyeSurfaceOpacity(surface.a)), scalars);

@@ -3,6 +3,7 @@
 
 // Place ComputeLighting::Dec, in place of VTK's text; last. Radiance of one sample, not clamped. Terms add
 // to it at its own places; what each may read and write:
+//   Optics::Gradient      g_opticsScalarGradient, where a term needs it: first of all
 //   Optics::Surface       surface, ambient (vec3, times the colour): before the lights
 //   Optics::Light         light (its attenuation): before a light is used
 //   Optics::Transmission  transmitted (vec3, times the colour): after a light was used
@@ -12,6 +13,7 @@ const float opticsLargestRadiance = 65504.0;
 
 vec4 computeLighting(vec4 color, int component, float label)
 {
+  //Optics::Gradient
   OpticsSurface surface = opticsSurface(label);
   OpticsCoefficients coefficients = opticsCoefficients(component);
   vec3 ambient = coefficients.ambient;

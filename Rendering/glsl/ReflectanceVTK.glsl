@@ -12,7 +12,7 @@ struct OpticsSurface
 
 OpticsSurface opticsSurface(float label)
 {
-  return OpticsSurface(opticsNormalInEye(-opticsScalarGradient(g_dataPos)), 1.0);
+  return OpticsSurface(opticsNormalInEye(-g_opticsScalarGradient), 1.0);
 }
 
 // A cosine on the side that two-sided lighting, or its absence, lets count.

@@ -7,9 +7,11 @@
 void opticsSmoothToEye(float from, float to, float steps, vec4 scalars)
 {
   vec4 mean = opticsSegmentMean(from, opticsClassified(to, scalars));
-  float opacity = opticsEyeOpacity(mean.a, opticsExtent(from, to, steps), steps);
+  float extent = opticsExtent(from, to, steps);
+  float opacity = opticsEyeOpacity(mean.a, extent, steps);
   if (opacity > 0.0)
   {
+    opticsTransmit(from, to, mean.a * extent);
     opticsComposite(vec4(opticsColor(mean.rgb, scalars), opacity), scalars);
   }
 }

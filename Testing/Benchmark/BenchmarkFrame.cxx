@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Time of a frame with each reflectance model, over that of VTK's own mapper with shading. Frames of
+// Time of a frame with each reflectance model and with lighting transfer functions, over that of VTK's own mapper with shading. Frames of
 // all kinds alternate, so that a noisy machine slows all of them; medians and their ratios are
 // printed. Early ray termination is VTK's.
 //
@@ -11,6 +11,7 @@
 
 #include "vtkAnalyticVolumeSource.h"
 #include "vtkHeadlessRenderWindow.h"
+#include "vtkLightingTransferFunction.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -118,6 +119,19 @@ public:
     this->Property->SetReflectanceModel(model);
   }
 
+  // Light on the boundary that opacity begins at; 3 to 9 fetches of the volume or the normals a sample.
+  void UseLightingTransferFunction(
+    const Options& options, vtkOpticsVolumeMapper* mapper, int gradient, int samples)
+  {
+    vtkNew<vtkLightingTransferFunction> function;
+    const double below[2] = { -1.0e4, options.Low }, above[2] = { options.High, 1.0e4 };
+    function->AddBoundary(below, above, 0.2, 0.7, 0.4);
+    function->SetSoftness(0, options.High - options.Low);
+    this->Property->SetLightingTransferFunction(function);
+    mapper->SetScalarGradient(gradient);
+    mapper->SetLightingSamples(samples);
+  }
+
   void SetUp(vtkImageData* image, const Options& options)
   {
     const double* spacing = image->GetSpacing();
@@ -173,7 +187,26 @@ private:
   std::vector<double> ProcessorSeconds;
 };
 
-std::vector<std::unique_ptr<Contestant>> MakeContestants()
+void AddLightingTransferFunctions(std::vector<std::unique_ptr<Contestant>>& all, const Options& options)
+{
+  using Mapper = vtkOpticsVolumeMapper;
+  const struct
+  {
+    const char* Name;
+    int Gradient, Samples;
+  } kinds[] = { { "lighting, gradient on the fly, fetched", Mapper::CentralDifferences, Mapper::Fetched },
+    { "lighting, gradient on the fly, extrapolated", Mapper::CentralDifferences, Mapper::Extrapolated },
+    { "lighting, stored gradient, fetched", Mapper::Stored, Mapper::Fetched },
+    { "lighting, stored gradient, extrapolated", Mapper::Stored, Mapper::Extrapolated } };
+  for (const auto& kind : kinds)
+  {
+    vtkNew<Mapper> mapper;
+    all.push_back(std::make_unique<Contestant>(kind.Name, mapper, vtkOpticsVolumeProperty::VTK));
+    all.back()->UseLightingTransferFunction(options, mapper, kind.Gradient, kind.Samples);
+  }
+}
+
+std::vector<std::unique_ptr<Contestant>> MakeContestants(const Options& options)
 {
   using Property = vtkOpticsVolumeProperty;
   std::vector<std::unique_ptr<Contestant>> all;
@@ -186,6 +219,7 @@ std::vector<std::unique_ptr<Contestant>> MakeContestants()
   {
     all.push_back(std::make_unique<Contestant>(name, vtkSmartPointer<vtkOpticsVolumeMapper>::New(), model));
   }
+  AddLightingTransferFunctions(all, options);
   return all;
 }
 }
@@ -194,7 +228,7 @@ int main(int argc, char** argv)
 {
   const Options options = Read(argc, argv);
   vtkSmartPointer<vtkImageData> image = Load(options);
-  auto contestants = MakeContestants();
+  auto contestants = MakeContestants(options);
   for (auto& contestant : contestants)
   {
     contestant->SetUp(image, options);

@@ -31,6 +31,9 @@ using namespace glm;
 #include "OpticsFloat/DataSpace.glsl"
 #include "OpticsFloat/AnisotropyFrame.glsl"
 #include "OpticsFloat/Reflectance.glsl"
+#include "OpticsFloat/SoftRange.glsl"
+#include "OpticsFloat/MultiSampleRule.glsl"
+#include "OpticsFloat/HybridNormal.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }
 }

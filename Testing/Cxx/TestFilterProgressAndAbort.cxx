@@ -7,6 +7,7 @@
 #include "FilterTesting.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkCallbackCommand.h"
+#include "vtkGradientAlignedHistogram.h"
 #include "vtkPrincipalCurvatureFilter.h"
 #include "vtkSobelNormalFilter.h"
 
@@ -133,12 +134,15 @@ int TestFilterProgressAndAbort(int, char*[])
   CheckProgress(sobel, smallImage, report);
   CheckProgress(covariance, smallImage, report);
   CheckProgress(curvature, smallImage, report);
+  vtkNew<vtkGradientAlignedHistogram> histogram;
+  CheckProgress(histogram, smallImage, report);
 
   testing::Geometry large;
   large.Extent = { 0, 255, 0, 255, 0, 255 };
   const auto image = testing::MakeImage(large, [](const glm::dvec3& p) { return p.x * p.y - p.z; });
   CheckAbort(sobel, image, "", report);
   CheckAbort(curvature, image, "", report);
+  CheckAbort(histogram, image, "", report);
   covariance->SetRadius(30.0);
   for (int pattern = vtkAmbientCovarianceFilter::Shared; pattern <= vtkAmbientCovarianceFilter::Exhaustive;
        ++pattern)

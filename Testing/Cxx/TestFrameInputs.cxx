@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Normals and anisotropy that were computed elsewhere, connected or as arrays of the volume, give the
-// picture that the mapper's own do, and nothing is computed. What does not fit is said once, and the
-// mapper computes.
+// picture that the mapper's own do, and nothing is computed. For normals alone the covariance is. What
+// does not fit is said once, and the mapper computes.
 
 #include "FrameEvents.h"
 #include "TestScene.h"
@@ -120,10 +120,20 @@ const Row Wrong[] = {
       vtkNew<vtkImageData> empty;
       Connect(scene, empty, empty);
     } },
-  { "normals alone",
+  { "normals alone, on a grid beside the volume's",
     [](TestScene& scene) {
       const Frames frames(scene);
-      scene.Optics->SetNormalsInputData(frames.Normals->GetOutput());
+      vtkSmartPointer<vtkImageData> normals = Copy(frames.Normals->GetOutput());
+      normals->SetOrigin(normals->GetOrigin()[0] + 0.1, normals->GetOrigin()[1], normals->GetOrigin()[2]);
+      scene.Optics->SetNormalsInputData(normals);
+    } },
+  { "normals alone, finer than the volume",
+    [](TestScene& scene) {
+      const Frames frames(scene);
+      vtkSmartPointer<vtkImageData> normals = Copy(frames.Normals->GetOutput());
+      normals->SetSpacing(
+        0.5 * normals->GetSpacing()[0], 0.5 * normals->GetSpacing()[1], 0.5 * normals->GetSpacing()[2]);
+      scene.Optics->SetNormalsInputData(normals);
     } },
   { "an array that is too short",
     [](TestScene& scene) {
@@ -162,6 +172,57 @@ void CheckRow(Check& check, const Row& row, bool isRight, const std::vector<unsi
   Connect(scene, nullptr, nullptr);
   scene.Renderer->GetActiveCamera()->Azimuth(-1.0);
   check.That(LargestDifference(scene.Render(), expected) <= 1, name + ": disconnected, the picture differs");
+}
+
+// By 90 degrees about z.
+void Turn(vtkImageData* normals)
+{
+  vtkDataArray* array = normals->GetPointData()->GetArray("Normals");
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double* normal = array->GetTuple3(i);
+    array->SetTuple3(i, -normal[1], normal[0], normal[2]);
+  }
+  array->Modified();
+}
+
+// The covariance of normals that come alone is that of these normals, which are turned here, so that
+// the mapper's own would draw another picture.
+void CheckNormalsAlone(Check& check, double factor, const std::vector<unsigned char>& computed)
+{
+  const std::string name = "normals alone at factor " + std::to_string(factor);
+  TestScene scene;
+  Warnings warnings(scene.Optics);
+  scene.Property->SetReflectanceModelToWard();
+  const Frames frames(scene, factor);
+  vtkSmartPointer<vtkImageData> normals = Copy(frames.Normals->GetOutput());
+  frames.Anisotropy->SetNormalsData(normals);
+  const auto drawBoth = [&] {
+    frames.Anisotropy->Update();
+    Connect(scene, normals, frames.Anisotropy->GetOutput());
+    return scene.Render();
+  };
+  const auto drawAlone = [&] {
+    Connect(scene, normals, nullptr);
+    return scene.Render();
+  };
+  Turn(normals);
+  const std::vector<unsigned char> turned = drawBoth();
+  // beyond rounding, which makes 1
+  check.AtLeast(name + ": difference of the turned normals", LargestDifference(turned, computed), 5);
+  FrameEvents events(scene.Optics);
+  check.That(drawAlone() == turned, name + ": the picture is not that of the normals' covariance");
+  scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+  scene.Render();
+  scene.Renderer->GetActiveCamera()->Azimuth(-1.0);
+  check.That(events.Starts == 1, name + ": computed " + std::to_string(events.Starts) + " times, not once");
+
+  Turn(normals);
+  const std::vector<unsigned char> changed = drawAlone();
+  check.That(events.Starts == 2, name + ": changed normals are not noticed");
+  check.That(
+    LargestDifference(drawBoth(), changed) <= 1, name + ": changed, the picture is not the normals'");
+  check.That(warnings.Texts.empty(), name + ": there is something to say");
 }
 
 // Vectors that are not unit and numbers that are none must not reach a pixel.
@@ -203,6 +264,8 @@ int TestFrameInputs(int, char*[])
   {
     CheckRow(check, row, false, expected);
   }
+  CheckNormalsAlone(check, 1.0, expected);
+  CheckNormalsAlone(check, 0.5, expected);
   for (const int bits : { 8, 16, 32 })
   {
     CheckHostile(check, bits);

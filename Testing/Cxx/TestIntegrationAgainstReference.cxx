@@ -6,6 +6,8 @@
 
 #include "ReferencePictures.h"
 
+#include "vtkLight.h"
+
 #include <functional>
 
 using namespace reference;
@@ -35,6 +37,20 @@ void AddSurfaces(TestScene& s)
   s.Property->AddIsosurface(0.55, 0.2, 0.9, 0.3, 0.4);
   s.Property->AddIsosurface(0.2, 0.7);
   s.Property->AddIsosurface(0.7, 0.9, 0.2, 0.1, 0.6);
+}
+
+// Lights behind, beside and in front of the volume.
+void TransmitLight(TestScene& s)
+{
+  s.Property->SetTransmittedLightToDiffuse();
+  for (const double side : { -1.0, 0.2, 1.0 })
+  {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(-3.0 * side, 7.0 * side, 2.0);
+    light->SetIntensity(0.5);
+    s.Renderer->AddLight(light);
+  }
 }
 
 const Setting Settings[] = {
@@ -84,6 +100,18 @@ const Setting Settings[] = {
     [](TestScene& s) {
       UsePost(s);
       s.Property->SetSilhouetteToGradient();
+    } },
+  { "transmitted light, post",
+    [](TestScene& s) {
+      UsePost(s);
+      TransmitLight(s);
+    } },
+  { "transmitted light with highlights",
+    [](TestScene& s) {
+      UsePreIntegrated(s);
+      AddSurfaces(s);
+      TransmitLight(s);
+      s.Property->SetTransmittedLightToDiffuseAndSpecular();
     } },
   { "parallel",
     [](TestScene& s) {

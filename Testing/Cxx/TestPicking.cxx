@@ -25,16 +25,39 @@ vtkObjectBase* PropAt(vtkRenderer* renderer, unsigned int x, unsigned int y)
   }
   return selection->GetNode(0)->GetProperties()->Get(vtkSelectionNode::PROP());
 }
-}
 
-int TestPicking(int, char*[])
+void TestReflectance(Check& check)
 {
-  Check check;
   TestScene scene;
   scene.Property->SetReflectanceModelToWard();
   const std::vector<unsigned char> before = scene.Render();
   check.That(PropAt(scene.Renderer, 75, 75) == scene.Volume.Get(), "the centre is not the volume");
   check.That(PropAt(scene.Renderer, 2, 2) == nullptr, "the corner is not empty");
   check.That(scene.Render() == before, "the picture after a selection differs");
+}
+
+// Nothing but an isosurface is seen: the opacity function is zero everywhere.
+void TestIsosurface(Check& check)
+{
+  TestScene scene;
+  scene.Opacity->RemoveAllPoints();
+  scene.Opacity->AddPoint(0.0, 0.0);
+  scene.Opacity->AddPoint(1.0, 0.0);
+  scene.Property->SetIntegrationSpaceToData();
+  const int surface = scene.Property->AddIsosurface(0.5, 0.4);
+  const std::vector<unsigned char> before = scene.Render();
+  check.That(PropAt(scene.Renderer, 75, 75) == scene.Volume.Get(), "the isosurface is not picked");
+  check.That(PropAt(scene.Renderer, 2, 2) == nullptr, "the corner beside the isosurface is not empty");
+  check.That(scene.Render() == before, "the picture after a selection of the isosurface differs");
+  scene.Property->RemoveIsosurface(surface);
+  check.That(PropAt(scene.Renderer, 75, 75) == nullptr, "a removed isosurface is picked");
+}
+}
+
+int TestPicking(int, char*[])
+{
+  Check check;
+  TestReflectance(check);
+  TestIsosurface(check);
   return check.ExitCode();
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Extremes of data, parameters and light: no crash, no OpenGL error, and on a float target, which
-// hides nothing, every pixel finite and at least 0.
+// hides nothing, every pixel finite and at least 0. With the argument --lighting under a lighting transfer
+// function of a light scale of 1e4.
 
 #include "TestScene.h"
 
@@ -20,8 +21,10 @@ namespace
 {
 using Setting = std::function<void(TestScene&)>;
 
-const int Models[] = { vtkOpticsVolumeProperty::None, vtkOpticsVolumeProperty::BlinnPhong,
-  vtkOpticsVolumeProperty::Ward, vtkOpticsVolumeProperty::Lafortune };
+bool UsesLighting = false;
+
+const int Models[] = { vtkOpticsVolumeProperty::VTK, vtkOpticsVolumeProperty::None,
+  vtkOpticsVolumeProperty::BlinnPhong, vtkOpticsVolumeProperty::Ward, vtkOpticsVolumeProperty::Lafortune };
 
 void ShowAll(TestScene& scene)
 {
@@ -33,10 +36,22 @@ void CheckScene(
 {
   for (const int model : Models)
   {
+    // VTK's model alone is no term's; TestShaderValidity has every model under a lighting transfer function
+    const bool isDrawn =
+      UsesLighting ? model <= vtkOpticsVolumeProperty::None : model > vtkOpticsVolumeProperty::VTK;
+    if (!isDrawn)
+    {
+      continue;
+    }
     TestScene scene;
     scene.Window->SetSize(60, 60);
     scene.Property->SetSpecular(1.0);
     scene.Property->SetReflectanceModel(model);
+    if (UsesLighting)
+    {
+      LightEverywhere(scene, 1.0, 1.0, 1.0);
+      scene.Property->SetLightScale(1.0e4);
+    }
     setting(scene);
     placeCamera(scene);
     const std::string what = name + ", " + scene.Property->GetReflectanceModelAsString();
@@ -45,7 +60,8 @@ void CheckScene(
     const std::vector<float> pixels = scene.RenderFloat();
     check.That(AreFinite(pixels), what + ": a pixel is not finite");
     check.That(*std::min_element(pixels.begin(), pixels.end()) >= 0.0F, what + ": a pixel is below 0");
-    check.That(scene.Optics->GetActiveTerms() == "Reflectance", what + ": the term is not active");
+    const char* terms = UsesLighting ? "Reflectance,LightingTransferFunction" : "Reflectance";
+    check.That(scene.Optics->GetActiveTerms() == terms, what + ": a term is not active");
   }
 }
 
@@ -177,6 +193,30 @@ void CheckParameters(Check& check)
   });
 }
 
+void CheckLighting(Check& check)
+{
+  CheckScene(check, "no gradient step", [](TestScene& s) { s.Property->SetGradientStepLength(0.0); });
+  CheckScene(check, "a step of 1e4 voxels", [](TestScene& s) { s.Property->SetGradientStepLength(1.0e4); });
+  CheckScene(check, "a table of one entry", [](TestScene& s) { s.Optics->SetLightingTableSize(1); });
+  CheckScene(check, "hybrid normals", [](TestScene& s) { s.Property->HybridNormalsOn(); });
+  CheckScene(check, "hybrid normals of a constant opacity", [](TestScene& s) {
+    s.Property->HybridNormalsOn();
+    s.Opacity->RemoveAllPoints();
+    s.Opacity->AddPoint(0.0, 0.1);
+  });
+  CheckScene(
+    check, "extrapolated samples", [](TestScene& s) { s.Optics->SetLightingSamplesToExtrapolated(); });
+  CheckScene(check, "extrapolated samples of a long step", [](TestScene& s) {
+    s.Optics->SetLightingSamplesToExtrapolated();
+    s.Property->SetGradientStepLength(1.0e4);
+  });
+  CheckScene(check, "stored gradient", [](TestScene& s) { s.Optics->SetScalarGradientToStored(); });
+  CheckScene(check, "a light scale of 1e6", [](TestScene& s) { s.Property->SetLightScale(1.0e6); });
+  CheckScene(check, "no light", [](TestScene& s) { s.Property->SetLightScale(0.0); });
+  CheckScene(check, "an empty function",
+    [](TestScene& s) { s.Property->GetLightingTransferFunction()->RemoveAllBoundaries(); });
+}
+
 void CheckData(Check& check)
 {
   CheckScene(check, "constant volume", MakeHomogeneous);
@@ -226,9 +266,16 @@ void CheckLight(Check& check)
 }
 }
 
-int TestReflectanceExtremes(int, char*[])
+int TestReflectanceExtremes(int argc, char* argv[])
 {
+  UsesLighting = std::any_of(argv, argv + argc, [](char* word) { return std::string(word) == "--lighting"; });
   Check check;
+  if (UsesLighting)
+  {
+    CheckLighting(check);
+    CheckData(check);
+    return check.ExitCode();
+  }
   CheckParameters(check);
   CheckData(check);
   CheckCamera(check);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Each row of docs/support.md that the reflectance term does not support: it says so once, and the
-// picture is VTK's own.
+// Each row of docs/support.md that the reflectance term, the integral, or, with the argument --lighting, a
+// lighting transfer function does not support: it says so once, and the picture is VTK's own.
 
-#include "TestScene.h"
+#include "SupportedSettings.h"
 
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
@@ -13,12 +13,8 @@
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 
-#include <functional>
-
 namespace
 {
-using Setting = std::function<void(TestScene&)>;
-
 void UseIndependentComponents(TestScene& scene)
 {
   scene.Source->Update();
@@ -74,17 +70,36 @@ void UseSlice(TestScene& scene)
   scene.Mapper->SetBlendModeToSlice();
 }
 
-void CheckRefused(Check& check, const std::string& name, const Setting& setting)
+// A model that the scene asks for, and one of its settings, which must not show.
+struct Model
 {
+  const char* Name;
+  Setting Use;
+  Setting Change;
+};
+
+const Model Reflectance = { "reflectance", [](TestScene& s) { s.Property->SetReflectanceModelToWard(); },
+  [](TestScene& s) { s.Property->SetGlossiness(0.1); } };
+const Model Integral = { "integral", [](TestScene& s) { s.Property->SetIntegrationSpaceToData(); },
+  [](TestScene& s) { s.Property->SetClassificationToPreIntegrated(); } };
+const Model Lighting = { "lighting transfer function",
+  [](TestScene& s) { LightEverywhere(s, 1.0, 1.0, 1.0); },
+  [](TestScene& s) { s.Property->SetLightScale(3.0); } };
+
+std::vector<Model> Models;
+
+void CheckRefusedBy(Check& check, const Model& model, const std::string& setName, const Setting& setting)
+{
+  const std::string name = std::string(model.Name) + ", " + setName;
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
   TestScene expected(stock);
   setting(expected);
   TestScene scene;
   setting(scene);
-  scene.Property->SetReflectanceModelToWard();
+  model.Use(scene);
   Warnings warnings(scene.Optics);
   const std::vector<unsigned char> first = scene.Render();
-  scene.Property->SetGlossiness(0.1);
+  model.Change(scene);
   const std::vector<unsigned char> second = scene.Render();
   check.That(expected.Render() == first, name + ": the picture is not VTK's");
   check.That(first == second, name + ": a setting of the refused model changes the picture");
@@ -92,10 +107,39 @@ void CheckRefused(Check& check, const std::string& name, const Setting& setting)
   check.That(warnings.Texts.size() == 1,
     name + ": said " + std::to_string(warnings.Texts.size()) + " times, not once");
 }
+
+void CheckRefused(Check& check, const std::string& name, const Setting& setting)
+{
+  for (const Model& model : Models)
+  {
+    CheckRefusedBy(check, model, name, setting);
+  }
 }
 
-int TestRefusedSettings(int, char*[])
+void CheckRefusedByIntegral(Check& check)
 {
+  for (const Row& row : Rows)
+  {
+    const std::string name = row.Name;
+    if (name == "2D transfer function" || name == "label map")
+    {
+      CheckRefusedBy(check, Integral, name, row.Apply);
+    }
+  }
+  CheckRefusedBy(check, Integral, "more isosurfaces than there is room for", [](TestScene& s) {
+    for (int i = 0; i < 1025; ++i)
+    {
+      s.Property->AddIsosurface(i / 1025.0, 0.1);
+    }
+  });
+}
+}
+
+int TestRefusedSettings(int argc, char* argv[])
+{
+  const bool isLighting =
+    std::any_of(argv, argv + argc, [](char* word) { return std::string(word) == "--lighting"; });
+  Models = isLighting ? std::vector<Model>{ Lighting } : std::vector<Model>{ Reflectance, Integral };
   Check check;
   CheckRefused(check, "maximum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); });
   CheckRefused(check, "minimum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMinimumIntensity(); });
@@ -114,5 +158,9 @@ int TestRefusedSettings(int, char*[])
     function->AddPoint(0.0, 1.0);
     s.Property->SetLabelGradientOpacity(1, function);
   });
+  if (!isLighting)
+  {
+    CheckRefusedByIntegral(check);
+  }
   return check.ExitCode();
 }

@@ -9,6 +9,7 @@
 #include "Check.h"
 #include "FloatTarget.h"
 #include "vtkAnalyticVolumeSource.h"
+#include "vtkLightingTransferFunction.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -107,6 +108,15 @@ struct Warnings
   vtkNew<vtkCallbackCommand> Command;
   std::vector<std::string> Texts;
 };
+
+// A lighting transfer function that lights every pair of scalars alike.
+inline void LightEverywhere(TestScene& scene, double ambient, double diffuse, double specular)
+{
+  vtkNew<vtkLightingTransferFunction> function;
+  const double all[2] = { -1.0e300, 1.0e300 };
+  function->AddBoundary(all, all, ambient, diffuse, specular);
+  scene.Property->SetLightingTransferFunction(function);
+}
 
 inline int LargestDifference(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
 {

@@ -56,6 +56,15 @@ int TestStockIdentity(int, char*[])
     scene.Property->ShadeOff();
     scene.Property->SetReflectanceModelToWard();
   });
+  Compare(check, "settings of a lighting transfer function, but none", [](TestScene& scene) {
+    scene.Property->SetLightScale(4.0);
+    scene.Property->SetGradientStepLength(2.0);
+    scene.Property->HybridNormalsOn();
+  });
+  Compare(check, "a lighting transfer function, but not shaded", [](TestScene& scene) {
+    scene.Property->ShadeOff();
+    LightEverywhere(scene, 1.0, 1.0, 1.0);
+  });
   Compare(
     check, "maximum intensity", [](TestScene& scene) { scene.Mapper->SetBlendModeToMaximumIntensity(); });
   Compare(check, "parallel projection",

@@ -14,6 +14,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -78,6 +79,17 @@ Light LightOf(vtkLight* source, const glm::dmat4& worldToDataset)
   return light;
 }
 
+// A sixteenth of the difference between the most and the least opaque scalars, as the mapper takes it.
+double DensityFade(vtkPiecewiseFunction* opacity, vtkImageData* image)
+{
+  double range[2];
+  image->GetScalarRange(range);
+  double densities[256];
+  opacity->GetTable(range[0], range[1], 256, densities);
+  const auto [least, largest] = std::minmax_element(densities, densities + 256);
+  return (*largest - *least) / 16.0;
+}
+
 void CopyDataSpace(vtkOpticsVolumeProperty* optics, Scene& scene)
 {
   scene.integrationSpace = static_cast<IntegrationSpace>(optics->GetIntegrationSpace());
@@ -133,6 +145,10 @@ void CopyProperty(vtkVolumeProperty* property, Scene& scene)
     scene.scatteringAnisotropy = optics->GetScatteringAnisotropy();
     scene.specularFromExtinction = optics->GetSpecularFromExtinction();
     CopyDataSpace(optics, scene);
+    scene.lighting = optics->GetLightingTransferFunction();
+    scene.gradientStepLength = optics->GetGradientStepLength();
+    scene.lightScale = optics->GetLightScale();
+    scene.hybridNormals = optics->GetHybridNormals();
   }
 }
 }
@@ -187,6 +203,7 @@ Scene SceneFromVTK(vtkRenderer* renderer, vtkVolume* volume, int width, int heig
   }
   scene.twoSided = renderer->GetTwoSidedLighting() != 0;
   CopyProperty(volume->GetProperty(), scene);
+  scene.densityFade = DensityFade(scene.opacity, image);
   scene.step = mapper->GetSampleDistance();
   return scene;
 }

@@ -13,6 +13,7 @@
 #include "FrameField.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkLightingTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkSmartPointer.h"
 
@@ -123,6 +124,12 @@ struct Scene
   double scatteringAnisotropy = 0.0;
   bool specularFromExtinction = true;
   GradientEstimate gradientEstimate = GradientEstimate::StoredNormal;
+
+  vtkSmartPointer<vtkLightingTransferFunction> lighting; // with the model VTK alone
+  double gradientStepLength = 1.0;                       // in units of the smallest spacing
+  double lightScale = 1.0;
+  bool hybridNormals = false;
+  double densityFade = 1.0; // difference of opacities over which light changes sides
 
   IntegrationSpace integrationSpace = IntegrationSpace::Physical;
   Classification classification = Classification::Post;

@@ -3,6 +3,7 @@
 
 #include "Shading.h"
 
+#include "LightingTransfer.h"
 #include "Optics.h"
 
 #include <algorithm>
@@ -12,38 +13,6 @@ namespace reference
 {
 namespace
 {
-// Direction to a light and its attenuation at a point.
-struct Illumination
-{
-  Vector toLight;
-  double factor = 1.0;
-};
-
-Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point)
-{
-  if (!light.positional)
-  {
-    return { light.toLight, 1.0 };
-  }
-  const Vector offset = light.position - point;
-  const double length = glm::length(offset);
-  if (length == 0.0)
-  {
-    return { light.toLight, 0.0 };
-  }
-  Illumination result;
-  result.toLight = offset / length;
-  const double distance = length * scene.worldScale;
-  result.factor = 1.0 / glm::dot(light.attenuation, Vector(1.0, distance, distance * distance));
-  if (light.coneAngle <= 90.0)
-  {
-    const double cosine = glm::dot(-result.toLight, light.coneAxis);
-    const bool isInside = cosine >= std::cos(glm::radians(light.coneAngle));
-    result.factor *= isInside ? std::pow(std::max(cosine, 0.0), light.exponent) : 0.0;
-  }
-  return result;
-}
-
 // By the scalar's own normal: its sign does not matter.
 bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& toLight)
 {
@@ -197,6 +166,32 @@ ExtinctionGradient FromCentralDifferences(const Scene& scene, const Sample& samp
 }
 
 //------------------------------------------------------------------------------
+Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point)
+{
+  if (!light.positional)
+  {
+    return { light.toLight, 1.0 };
+  }
+  const Vector offset = light.position - point;
+  const double length = glm::length(offset);
+  if (length == 0.0)
+  {
+    return { light.toLight, 0.0 };
+  }
+  Illumination result;
+  result.toLight = offset / length;
+  const double distance = length * scene.worldScale;
+  result.factor = 1.0 / glm::dot(light.attenuation, Vector(1.0, distance, distance * distance));
+  if (light.coneAngle <= 90.0)
+  {
+    const double cosine = glm::dot(-result.toLight, light.coneAxis);
+    const bool isInside = cosine >= std::cos(glm::radians(light.coneAngle));
+    result.factor *= isInside ? std::pow(std::max(cosine, 0.0), light.exponent) : 0.0;
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample)
 {
   if (sample.isSurface)
@@ -229,6 +224,10 @@ namespace
 // Ambient and reflected light.
 Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
 {
+  if (scene.lighting)
+  {
+    return LightingTransferRadiance(scene, sample, color);
+  }
   if (scene.reflectance == Reflectance::VTK)
   {
     const bool isHeadlight =

@@ -19,6 +19,14 @@ struct Sample
   bool isSurface = false; // of an isosurface: it has the scalar's normal, and a specular coefficient of 1
 };
 
+// Direction to a light and its attenuation at a point.
+struct Illumination
+{
+  Vector toLight;
+  double factor = 1.0;
+};
+Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point);
+
 // The gradient of the classified extinction: direction -grad(sigma)/|grad(sigma)| (unit, or 0) and the
 // scale-free specular coefficient K. tangentNormal and anisotropy are the unclassified scalar's.
 struct ExtinctionGradient

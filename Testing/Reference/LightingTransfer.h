@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Light by a lighting transfer function [Lum2004] in double: nothing is tabulated.
+
+#ifndef LightingTransfer_h
+#define LightingTransfer_h
+
+#include "Shading.h"
+
+namespace reference
+{
+// Coefficients of one sample, times the light scale, and the side of its normal.
+struct LightingCoefficients
+{
+  double ambient = 0.0;
+  double diffuse = 0.0;
+  double specular = 0.0;
+  double side = 1.0; // HybridSide; 1 without hybrid normals
+};
+
+// gradient: of the scalar, along which S1 and S2 are taken.
+LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient);
+
+// The mapper's Phong model with those coefficients; the other models are not here.
+Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color);
+}
+
+#endif
