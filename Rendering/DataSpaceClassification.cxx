@@ -37,6 +37,7 @@ struct SegmentIntegral
   int SilhouetteMode() { return this->Classification.GetSilhouette(); }
 
 #define float double
+#include "glsl/DataSpaceInterior.glsl"
 #include "glsl/DataSpaceSegment.glsl"
 #undef float
 };

@@ -18,6 +18,7 @@
 #include "ColorOfSegment.h"
 #include "ColorTable.h"
 #include "DataSpace.h"
+#include "DataSpaceInterior.h"
 #include "DataSpaceSegment.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
@@ -56,7 +57,10 @@
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
 #include "ProjectedTetrahedraDec.h"
+#include "ProjectedTetrahedraInterior.h"
+#include "ProjectedTetrahedraIsosurfaces.h"
 #include "ProjectedTetrahedraMain.h"
+#include "ProjectedTetrahedraSegment.h"
 #include "ProjectedTetrahedraVertex.h"
 #include "RayDec.h"
 #include "RayInit.h"
@@ -341,8 +345,18 @@ std::string ProjectedTetrahedraVertexShader()
 }
 
 //------------------------------------------------------------------------------
-std::string ProjectedTetrahedraFragmentShader()
+std::string ProjectedTetrahedraFragmentShader(const std::string& color)
 {
-  return std::string(ProjectedTetrahedraDec) + Opacity + DataSpace + DataSpaceSegment +
-    ProjectedTetrahedraMain;
+  return std::string(ProjectedTetrahedraDec) + Opacity + DataSpace + color + ProjectedTetrahedraMain;
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces)
+{
+  // a constant, so that what the mode does not need is not compiled
+  const std::string interior =
+    "int SilhouetteMode() { return " + std::to_string(silhouette) + "; }\n" + DataSpaceInterior;
+  return ProjectedTetrahedraFragmentShader(hasIsosurfaces
+      ? interior + ProjectedTetrahedraIsosurfaces + DataSpaceSegment + ProjectedTetrahedraSegment
+      : interior + ProjectedTetrahedraInterior);
 }

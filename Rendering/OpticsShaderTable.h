@@ -106,9 +106,14 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 
 /**
- * The shaders of vtkDataSpaceProjectedTetrahedraMapper, which do not depend on its settings.
+ * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.
  */
 std::string ProjectedTetrahedraVertexShader();
-std::string ProjectedTetrahedraFragmentShader();
+std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces);
+
+/**
+ * The same with another text that defines FragmentColor(), as ProjectedTetrahedraInterior.glsl does.
+ */
+std::string ProjectedTetrahedraFragmentShader(const std::string& color);
 
 #endif

@@ -31,10 +31,6 @@
 
 namespace
 {
-// The scalar where one cell ends and the next begins is rounded differently in the two. An isovalue that
-// whole faces have would be crossed twice or never; a little below it is crossed once. Of the range.
-const double IsovalueOffset = 2e-6;
-
 void SetNearest(vtkTextureObject* texture)
 {
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -65,8 +61,8 @@ void ProjectedTetrahedraPainter::SetClassification(const DataSpaceClassification
 }
 
 //------------------------------------------------------------------------------
-bool ProjectedTetrahedraPainter::Draw(
-  vtkRenderer* renderer, vtkVolume* volume, const std::vector<unsigned int>& indices)
+void ProjectedTetrahedraPainter::Draw(vtkRenderer* renderer, vtkVolume* volume,
+  const std::vector<unsigned int>& indices, const ProgramCallback& beforeDrawing)
 {
   this->Window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* state = this->Window->GetState();
@@ -79,16 +75,26 @@ bool ProjectedTetrahedraPainter::Draw(
   vtkOpenGLState::ScopedglScissor scissor(state);
   if (!this->Target.Begin(this->Window))
   {
-    return false;
+    return;
   }
-  this->Upload();
-  this->MakeProgramReady();
-  this->SetView(renderer, volume);
-  this->SetTextures();
   state->vtkglDepthMask(GL_FALSE);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->Upload();
+  this->MakeProgramReady();
+  this->SetView(renderer, volume);
+  this->BindTextures(this->Triangles.Program);
+  beforeDrawing(this->Triangles.Program);
+  this->DrawTriangles(indices);
+  this->UnbindTextures();
+  this->Target.End();
+}
+
+//------------------------------------------------------------------------------
+void ProjectedTetrahedraPainter::DrawTriangles(const std::vector<unsigned int>& indices)
+{
+  vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_CULL_FACE);
   state->vtkglCullFace(this->IsMirrored ? GL_BACK : GL_FRONT);
   this->BindVertices();
@@ -99,11 +105,6 @@ bool ProjectedTetrahedraPainter::Draw(
   this->Triangles.VAO->Release();
   state->vtkglCullFace(GL_BACK);
   state->vtkglDisable(GL_CULL_FACE);
-  this->Table->Deactivate();
-  this->Isosurfaces->Deactivate();
-  this->Target.GetOpaqueDepth()->Deactivate();
-  this->Target.End();
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -146,7 +147,7 @@ void ProjectedTetrahedraPainter::UploadIsosurfaces()
     {
       texels[4 * i + channel] = static_cast<float>(surfaces[i].Color[channel]);
     }
-    texels[4 * (width + i)] = static_cast<float>(surfaces[i].Value - IsovalueOffset);
+    texels[4 * (width + i)] = static_cast<float>(surfaces[i].Value);
   }
   this->Isosurfaces->SetContext(this->Window);
   SetNearest(this->Isosurfaces);
@@ -157,15 +158,23 @@ void ProjectedTetrahedraPainter::UploadIsosurfaces()
 void ProjectedTetrahedraPainter::MakeProgramReady()
 {
   vtkOpenGLShaderCache* cache = this->Window->GetShaderCache();
-  if (this->Triangles.Program)
+  const std::string fragment = this->GetFragmentShader();
+  if (this->Triangles.Program && fragment == this->FragmentShader)
   {
     cache->ReadyShaderProgram(this->Triangles.Program);
     return;
   }
   const std::string vertex = ProjectedTetrahedraVertexShader();
-  const std::string fragment = ProjectedTetrahedraFragmentShader();
   this->Triangles.Program = cache->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   this->Triangles.VAO->ShaderProgramChanged();
+  this->FragmentShader = fragment;
+}
+
+//------------------------------------------------------------------------------
+std::string ProjectedTetrahedraPainter::GetFragmentShader() const
+{
+  return ProjectedTetrahedraFragmentShader(
+    this->Classification->GetSilhouette(), !this->Classification->GetIsosurfaces().empty());
 }
 
 //------------------------------------------------------------------------------
@@ -231,9 +240,8 @@ void ProjectedTetrahedraPainter::SetModelToView(vtkMatrix4x4* worldToView, vtkMa
 }
 
 //------------------------------------------------------------------------------
-void ProjectedTetrahedraPainter::SetTextures()
+void ProjectedTetrahedraPainter::BindTextures(vtkShaderProgram* program)
 {
-  vtkShaderProgram* program = this->Triangles.Program;
   const auto bind = [program](const char* name, vtkTextureObject* texture) {
     texture->Activate();
     program->SetUniformi(name, texture->GetTextureUnit());
@@ -244,7 +252,14 @@ void ProjectedTetrahedraPainter::SetTextures()
   program->SetUniformf("in_tableSize", static_cast<float>(this->Table->GetWidth()));
   program->SetUniformi(
     "in_numberOfIsosurfaces", static_cast<int>(this->Classification->GetIsosurfaces().size()));
-  program->SetUniformi("in_silhouetteMode", this->Classification->GetSilhouette());
+}
+
+//------------------------------------------------------------------------------
+void ProjectedTetrahedraPainter::UnbindTextures()
+{
+  this->Table->Deactivate();
+  this->Isosurfaces->Deactivate();
+  this->Target.GetOpaqueDepth()->Deactivate();
 }
 
 //------------------------------------------------------------------------------

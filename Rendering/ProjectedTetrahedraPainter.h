@@ -12,6 +12,8 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkType.h"
 
+#include <functional>
+#include <string>
 #include <vector>
 
 class DataSpaceClassification;
@@ -29,17 +31,26 @@ class ProjectedTetrahedraPainter
 {
 public:
   ProjectedTetrahedraPainter();
-  ~ProjectedTetrahedraPainter();
+  virtual ~ProjectedTetrahedraPainter();
 
   // What is drawn from now on; uploaded with the next frame.
   void SetVertices(const TetrahedraVertices* vertices);
   void SetClassification(const DataSpaceClassification* classification);
 
-  // indices: triangles, back to front. Returns false where OpenGL has no room for it.
-  bool Draw(vtkRenderer* renderer, vtkVolume* volume, const std::vector<unsigned int>& indices);
+  // indices: triangles, back to front. beforeDrawing: the program is bound, its uniforms are set.
+  using ProgramCallback = std::function<void(vtkShaderProgram*)>;
+  void Draw(vtkRenderer* renderer, vtkVolume* volume, const std::vector<unsigned int>& indices,
+    const ProgramCallback& beforeDrawing);
 
-  vtkShaderProgram* GetProgram() const { return this->Triangles.Program; }
-  void Release(vtkWindow* window);
+  virtual void Release(vtkWindow* window);
+
+protected:
+  // How the colour of a fragment is found; the benchmark has other ways.
+  virtual std::string GetFragmentShader() const;
+  virtual void BindTextures(vtkShaderProgram* program);
+  virtual void UnbindTextures();
+
+  vtkOpenGLRenderWindow* Window = nullptr;
 
 private:
   void Upload();
@@ -49,14 +60,14 @@ private:
   void BindVertices();
   void SetView(vtkRenderer* renderer, vtkVolume* volume);
   void SetModelToView(vtkMatrix4x4* worldToView, vtkMatrix4x4* volumeToWorld);
-  void SetTextures();
+  void DrawTriangles(const std::vector<unsigned int>& indices);
 
   const TetrahedraVertices* Vertices = nullptr;
   const DataSpaceClassification* Classification = nullptr;
   bool AreVerticesUploaded = false;
   bool IsClassificationUploaded = false;
   bool IsMirrored = false;
-  vtkOpenGLRenderWindow* Window = nullptr;
+  std::string FragmentShader; // of the program
   vtkOpenGLHelper Triangles;
   vtkNew<vtkOpenGLVertexBufferObject> Buffer;
   vtkNew<vtkTextureObject> Table;

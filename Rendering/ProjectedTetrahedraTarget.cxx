@@ -134,8 +134,8 @@ void ProjectedTetrahedraTarget::End()
   }
   else
   {
-    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(
-      this->Window, nullptr, ProjectedTetrahedraCopy, nullptr);
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(this->Window, nullptr, ProjectedTetrahedraCopy, nullptr);
   }
   this->Picture->Activate();
   this->Quad->Program->SetUniformi("in_picture", this->Picture->GetTextureUnit());

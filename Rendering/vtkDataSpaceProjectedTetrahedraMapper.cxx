@@ -54,9 +54,10 @@ void vtkDataSpaceProjectedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVol
     return;
   }
   this->Timer->StartTimer();
-  if (this->Sort(renderer, volume) && this->Painter->Draw(renderer, volume, this->Order))
+  if (this->Sort(renderer, volume))
   {
-    this->InvokeEvent(vtkCommand::UpdateShaderEvent, this->Painter->GetProgram());
+    this->Painter->Draw(renderer, volume, this->Order,
+      [this](vtkShaderProgram* program) { this->InvokeEvent(vtkCommand::UpdateShaderEvent, program); });
   }
   this->Timer->StopTimer();
   this->TimeToDraw = this->Timer->GetElapsedTime();
@@ -81,8 +82,9 @@ bool vtkDataSpaceProjectedTetrahedraMapper::Prepare(vtkVolume* volume)
   vtkDataArray* scalars = TetrahedralGrid::FindScalars(this, areOfCells);
   if (!scalars)
   {
-    this->FailOnce("The input has no scalars to draw; name an array with SelectScalarArray(), or make one the "
-                   "active scalars of the points.");
+    this->FailOnce(
+      "The input has no scalars to draw; name an array with SelectScalarArray(), or make one the "
+      "active scalars of the points.");
     return false;
   }
   if (areOfCells)

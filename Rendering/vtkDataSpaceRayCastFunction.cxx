@@ -87,8 +87,7 @@ void vtkDataSpaceRayCastFunction::Initialize(vtkRenderer* renderer, vtkVolume* v
 {
   this->Superclass::Initialize(renderer, volume);
   auto* property = vtkOpticsVolumeProperty::SafeDownCast(volume->GetProperty());
-  const bool hasSilhouettes =
-    property && property->GetSilhouette() != vtkOpticsVolumeProperty::SilhouetteOff;
+  const bool hasSilhouettes = property && property->GetSilhouette() != vtkOpticsVolumeProperty::SilhouetteOff;
   this->MultipliesByGradient = this->Valid && hasSilhouettes &&
     vtkDataSpaceRayIntegrator::SafeDownCast(this->Mapper->GetRayIntegrator());
   if (this->MultipliesByGradient)

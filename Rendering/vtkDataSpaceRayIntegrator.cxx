@@ -24,8 +24,7 @@ namespace
 bool MultipliesByGradient(vtkVolume* volume)
 {
   auto* mapper = vtkUnstructuredGridVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
-  auto* function =
-    mapper ? vtkDataSpaceRayCastFunction::SafeDownCast(mapper->GetRayCastFunction()) : nullptr;
+  auto* function = mapper ? vtkDataSpaceRayCastFunction::SafeDownCast(mapper->GetRayCastFunction()) : nullptr;
   return function && function->GetMultipliesByGradient();
 }
 

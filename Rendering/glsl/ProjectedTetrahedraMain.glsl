@@ -43,6 +43,5 @@ void main()
   }
   float back = scalars.x + dot(weights, scalars.yzw) - leaving * scalarRate;
   float front = back - distance * scalarRate;
-  float gradientStep = distance * length(direction) * length(weightGradients * scalars.yzw);
-  gl_FragData[0] = SegmentColor(front, back, gradientStep);
+  gl_FragData[0] = FragmentColor(front, back, distance * length(direction));
 }

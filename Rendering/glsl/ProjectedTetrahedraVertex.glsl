@@ -19,12 +19,18 @@ smooth out vec3 positionView;
 smooth out vec3 weights; // barycentric, of the vertices 1, 2, 3
 flat out vec4 scalars;
 flat out mat3 weightGradients;
+flat out float scalarRounding;
+
+// A bound of the rounding of a scalar, relative to the largest at the vertices.
+const float ScalarRounding = 1.0e-6;
 
 void main()
 {
   int corner = gl_VertexID & 3;
   weights = vec3(corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0, corner == 3 ? 1.0 : 0.0);
   scalars = vertexScalars;
+  vec3 others = abs(vertexScalars.x + vertexScalars.yzw);
+  scalarRounding = ScalarRounding * max(max(abs(vertexScalars.x), others.x), max(others.y, others.z));
   weightGradients =
     in_gradientToView * mat3(vertexWeightGradient1, vertexWeightGradient2, vertexWeightGradient3);
   vec4 position = in_modelToView * vec4(vertexMC, 1.0);

@@ -6,8 +6,8 @@
 #ifndef ShaderText_h
 #define ShaderText_h
 
+#include "vtkAbstractVolumeMapper.h"
 #include "vtkCallbackCommand.h"
-#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkNew.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
@@ -16,11 +16,12 @@
 
 namespace
 {
-// Filled from the second frame on: VTK sends the event in frames that do not build the shader.
+// Filled from the second frame on: VTK sends the event in frames that do not build the shader. (The mapper
+// of tetrahedra sends it in every frame.)
 class ShaderText
 {
 public:
-  explicit ShaderText(vtkGPUVolumeRayCastMapper* mapper)
+  explicit ShaderText(vtkAbstractVolumeMapper* mapper)
   {
     this->Command->SetClientData(&this->Text);
     this->Command->SetCallback([](vtkObject*, unsigned long, void* text, void* program) {

@@ -7,7 +7,7 @@
 
 #include "TetrahedraScene.h"
 
-#include "Optics.h"
+#include <glm/glm.hpp>
 
 #include <algorithm>
 
@@ -101,14 +101,37 @@ void TestBox(Check& check)
       projected.SetConstantOpacity(0.7);
       projected.See(scale);
       const std::vector<float> pixels = RenderFloat(projected.Window, projected.Renderer);
-      const auto ends = std::minmax_element(pixels.begin(), pixels.end(),
-        [](float a, float b) { return a < b; });
+      const auto ends =
+        std::minmax_element(pixels.begin(), pixels.end(), [](float a, float b) { return a < b; });
       check.Near("least opacity of " + name, *ends.first, expected, FloatTolerance);
       check.AtMost("finite alpha of " + name, *ends.second, 1.0);
       TetrahedraScene cast(TetrahedraScene::RayCast, grid, Size);
       cast.SetConstantOpacity(0.7);
       cast.See(scale);
       check.Near("ray caster, " + name, cast.RenderOpacity(20, 35), expected, ByteTolerance);
+    }
+  }
+}
+
+// Colour falls along the ray as the scalar, .9 in front to .1 behind, and what is in front attenuates
+// it: which end is in front counts, and the order of the cells.
+void TestColor(Check& check)
+{
+  const Function field = [](double, double, double z) { return 0.5 + 0.4 * z; };
+  const double tau = -std::log(0.3), length = 0.8, left = std::exp(-tau * length);
+  const double expected = 0.9 * (1.0 - left) - (1.0 / tau - left * (length + 1.0 / tau));
+  for (int cells : { 1, 7 })
+  {
+    Grid grid = MakeBox(cells, field);
+    for (TetrahedraScene::Kind kind : { TetrahedraScene::Projected, TetrahedraScene::RayCast })
+    {
+      TetrahedraScene scene(kind, grid, Size);
+      scene.SetConstantOpacity(0.7);
+      scene.Color->RemoveAllPoints();
+      scene.Color->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+      scene.Color->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
+      const std::string name = kind == TetrahedraScene::Projected ? "projected colour" : "ray cast colour";
+      check.Near(name, scene.RenderOpacity(20, 35), expected, ByteTolerance);
     }
   }
 }
@@ -119,5 +142,6 @@ int TestDataSpaceTetrahedra(int, char*[])
   Check check;
   TestOneCell(check);
   TestBox(check);
+  TestColor(check);
   return check.ExitCode();
 }

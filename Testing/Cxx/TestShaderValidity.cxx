@@ -7,6 +7,7 @@
 
 #include "ShaderText.h"
 #include "SupportedSettings.h"
+#include "TetrahedraScene.h"
 
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkLight.h"
@@ -201,6 +202,7 @@ int TestShaderValidity(int, char*[])
 {
   Check check;
   ValidateLighting(check);
+  ValidateTetrahedra(check);
   ValidateAll(check, { Models, Storages, Gradients, Lights });
   ValidateAll(check, { Integrals, Silhouettes, Surfaces, ModelsOfIntegrals });
   ValidateAll(check, { Integrals, Surfaces, Components });

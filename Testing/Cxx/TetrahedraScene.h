@@ -91,6 +91,9 @@ struct TetrahedraScene
     RayCast
   };
 
+  // VTK's ray caster loses rays that run along an edge of the grid.
+  static constexpr double OffTheEdges[2] = { 0.00137, 0.00219 };
+
   explicit TetrahedraScene(Kind kind, vtkUnstructuredGrid* grid, int size = 64)
   {
     this->Ray->SetRayIntegrator(this->Integrator);
@@ -123,6 +126,10 @@ struct TetrahedraScene
     camera->SetPosition(0.0, 0.0, 5.0 * scale);
     camera->SetFocalPoint(0.0, 0.0, 0.0);
     camera->SetParallelScale(scale);
+    if (this->Mapper == this->Ray)
+    {
+      this->Volume->SetPosition(OffTheEdges[0] * scale, OffTheEdges[1] * scale, 0.0);
+    }
     this->Renderer->ResetCameraClippingRange();
   }
 

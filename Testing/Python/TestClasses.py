@@ -8,7 +8,11 @@ import tempfile
 import volumeoptics
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume, vtkVolumeProperty
-from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from vtkmodules.vtkRenderingVolume import (
+    vtkGPUVolumeRayCastMapper,
+    vtkProjectedTetrahedraMapper,
+    vtkUnstructuredGridVolumeRayCastMapper,
+)
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkOpenGLGPUVolumeRayCastMapper
 
 
@@ -76,9 +80,22 @@ def check_table():
 
 
 check_table()
+def check_unstructured():
+    mapper = vtkUnstructuredGridVolumeRayCastMapper()
+    mapper.SetRayIntegrator(volumeoptics.vtkDataSpaceRayIntegrator())
+    mapper.SetRayCastFunction(volumeoptics.vtkDataSpaceRayCastFunction())
+    assert mapper.GetRayIntegrator().GetTableSize() == 256
+    assert not mapper.GetRayCastFunction().GetMultipliesByGradient()
+    projected = volumeoptics.vtkDataSpaceProjectedTetrahedraMapper()
+    assert isinstance(projected, vtkProjectedTetrahedraMapper)
+    projected.SetTableSize(64)
+    assert projected.GetTableSize() == 64
+
+
 check_property()
 check_override()
 check_preset()
+check_unstructured()
 for name in dir(volumeoptics):
     wrapped = getattr(volumeoptics, name)
     if isinstance(wrapped, type) and name.startswith("vtk"):
