@@ -173,6 +173,8 @@ Number NoisyHomogeneous(const std::array<Number, 3>& p, const Parameters& parame
 
 #include "AnalyticPotentials.h"
 
+#include "AnalyticPlant.h"
+
 namespace analytic
 {
 enum FieldType
@@ -190,6 +192,7 @@ enum FieldType
   CoulombPotentialsField,
   HydrogenOrbitalField,
   BuckyballField,
+  PlantField,
   NumberOfFields
 };
 
@@ -202,6 +205,7 @@ public:
     , Settings(parameters)
     , Ellipsoids(field == PackedEllipsoidsField ? MakePackedEllipsoids() : std::vector<PlacedEllipsoid>())
     , Tubes(field == VortexTubesField ? MakeVortexTubes(parameters.seed) : std::vector<VortexTube>())
+    , Greenery(field == PlantField ? MakePlant() : Plant())
     , Atoms(field == BuckyballField ? MakeBuckyball(parameters.radius) : std::vector<Vector>())
   {
   }
@@ -249,6 +253,8 @@ private:
         return CoulombPotentials(p, this->Settings.strength);
       case HydrogenOrbitalField:
         return HydrogenOrbital(p, r);
+      case PlantField:
+        return BranchesAndLeaves(p, this->Greenery);
       case BuckyballField:
         return Buckyball(p, this->Atoms, r);
       default:
@@ -260,6 +266,7 @@ private:
   Parameters Settings;
   std::vector<PlacedEllipsoid> Ellipsoids;
   std::vector<VortexTube> Tubes;
+  Plant Greenery;
   std::vector<Vector> Atoms;
 };
 }

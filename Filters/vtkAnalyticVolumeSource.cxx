@@ -30,7 +30,7 @@ namespace
 {
 const char* const FieldNames[] = { "MarschnerLobb", "Sphere", "Ellipsoid", "Cylinder", "Torus",
   "PackedEllipsoids", "VortexTubes", "LinearRamp", "NoisyHomogeneous", "CoulombPotential",
-  "CoulombPotentials", "HydrogenOrbital", "Buckyball" };
+  "CoulombPotentials", "HydrogenOrbital", "Buckyball", "Plant" };
 
 // Progress and abort are looked at this many times.
 const vtkIdType NumberOfPortions = 32;

@@ -39,6 +39,7 @@ public:
    * over the distance from it, rounded off to 1 within Strength. CoulombPotentials: half the sum of three,
    * with Strength, a half and a quarter of it, as [Kraus2005] figure 1. HydrogenOrbital: density of 3d_z2,
    * figure 8, its lobes largest at Radius. Buckyball: bumps at the atoms of C60, at Radius from the middle.
+   * Plant: branches of 1, leaves of one half, with soft edges, as [Lum2004] figure 11.
    * Default MarschnerLobb.
    */
   enum FieldType
@@ -56,6 +57,7 @@ public:
     CoulombPotentials,
     HydrogenOrbital,
     Buckyball,
+    Plant,
     NumberOfFields
   };
   vtkGetMacro(Field, int);
@@ -73,6 +75,7 @@ public:
   void SetFieldToCoulombPotentials() { this->SetField(CoulombPotentials); }
   void SetFieldToHydrogenOrbital() { this->SetField(HydrogenOrbital); }
   void SetFieldToBuckyball() { this->SetField(Buckyball); }
+  void SetFieldToPlant() { this->SetField(Plant); }
   const char* GetFieldAsString();
   ///@}
 

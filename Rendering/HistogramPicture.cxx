@@ -175,7 +175,7 @@ bool HasCounts(vtkImageData* histogram)
 vtkSmartPointer<vtkImageData> LineHistogramPicture(
   vtkImageData* histogram, int width, int height, const HistogramPictureSettings& settings)
 {
-  const auto picture = NewPicture(width, height);
+  auto picture = NewPicture(width, height);
   Densities densities;
   densities.All.resize(static_cast<std::size_t>(width) * height);
   densities.Marked.resize(densities.All.size());
@@ -196,7 +196,7 @@ vtkSmartPointer<vtkImageData> LineHistogramPicture(
 vtkSmartPointer<vtkImageData> Transposed(vtkImageData* picture)
 {
   const int* dimensions = picture->GetDimensions();
-  const auto transposed = NewPicture(dimensions[1], dimensions[0]);
+  auto transposed = NewPicture(dimensions[1], dimensions[0]);
   for (int y = 0; y < dimensions[1]; ++y)
   {
     for (int x = 0; x < dimensions[0]; ++x)
@@ -221,7 +221,7 @@ vtkSmartPointer<vtkImageData> HistogramPicture(vtkImageData* histogram, int widt
     const vtkIdType row = i / dimensions[0] * rows / dimensions[1];
     sums[column + columns * row] += histogram->GetPointData()->GetScalars()->GetComponent(i, 0);
   }
-  const auto picture = NewPicture(columns, rows);
+  auto picture = NewPicture(columns, rows);
   const double largest = *std::max_element(sums.begin(), sums.end());
   for (std::size_t i = 0; i < sums.size(); ++i)
   {

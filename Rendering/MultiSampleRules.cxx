@@ -99,6 +99,7 @@ std::vector<MultiSampleRule> RulesFromJson(const Json::Value& document, int larg
     throw JsonError("Rules has " + std::to_string(count) + " rules; there may be " + std::to_string(largest) +
       ". Leave some out.");
   }
+  rules.reserve(count);
   for (int i = 0; i < count; ++i)
   {
     rules.push_back(RuleFromJson(object.At("Rules").At(i)));

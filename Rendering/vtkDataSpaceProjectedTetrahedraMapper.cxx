@@ -23,6 +23,12 @@
 
 vtkStandardNewMacro(vtkDataSpaceProjectedTetrahedraMapper);
 
+namespace
+{
+// The width of a texture that every OpenGL 3.2 has.
+const std::size_t LargestNumberOfIsosurfaces = 1024;
+}
+
 //------------------------------------------------------------------------------
 vtkDataSpaceProjectedTetrahedraMapper::vtkDataSpaceProjectedTetrahedraMapper()
   : Classification(std::make_unique<DataSpaceClassification>())
@@ -76,30 +82,39 @@ bool vtkDataSpaceProjectedTetrahedraMapper::IsUsable(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-bool vtkDataSpaceProjectedTetrahedraMapper::Prepare(vtkVolume* volume)
+vtkDataArray* vtkDataSpaceProjectedTetrahedraMapper::FindScalars(vtkVolume* volume)
 {
   bool areOfCells = false;
   vtkDataArray* scalars = TetrahedralGrid::FindScalars(this, areOfCells);
   if (!scalars)
   {
-    this->FailOnce(
-      "The input has no scalars to draw; name an array with SelectScalarArray(), or make one the "
-      "active scalars of the points.");
-    return false;
+    this->FailOnce("The input has no scalars to draw; name an array with SelectScalarArray(), or make one "
+                   "the active scalars of the points.");
+    return nullptr;
   }
   if (areOfCells)
   {
     this->WarnOnce("Scalars of the cells are constant in each cell, and so are not seen in data space; use "
                    "vtkCellDataToPointData.");
-    return false;
+    return nullptr;
   }
   if (scalars->GetNumberOfComponents() > 1 || !volume->GetProperty()->GetIndependentComponents())
   {
     this->WarnOnce(
       "The scalars have several components, or dependent ones; the first is drawn, as independent.");
   }
-  double range[2];
-  scalars->GetFiniteRange(range, 0);
+  return scalars;
+}
+
+//------------------------------------------------------------------------------
+bool vtkDataSpaceProjectedTetrahedraMapper::Prepare(vtkVolume* volume)
+{
+  vtkDataArray* scalars = this->FindScalars(volume);
+  double range[2] = { 0.0, 0.0 };
+  if (scalars)
+  {
+    scalars->GetFiniteRange(range, 0);
+  }
   if (!(range[0] < range[1]) || !this->UpdateVertices(scalars, range))
   {
     return false;
@@ -107,6 +122,14 @@ bool vtkDataSpaceProjectedTetrahedraMapper::Prepare(vtkVolume* volume)
   if (this->Classification->Update(volume->GetProperty(), range, this->TableSize))
   {
     this->Painter->SetClassification(this->Classification.get());
+  }
+  const std::size_t surfaces = this->Classification->GetIsosurfaces().size();
+  if (surfaces > LargestNumberOfIsosurfaces)
+  {
+    this->FailOnce(std::to_string(surfaces) + " isosurfaces are more than the " +
+      std::to_string(LargestNumberOfIsosurfaces) +
+      " that can be drawn; remove some by RemoveIsosurface(). Nothing is drawn.");
+    return false;
   }
   return this->Classification->IsValid();
 }

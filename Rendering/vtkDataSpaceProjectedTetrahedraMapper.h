@@ -24,7 +24,7 @@
  * The input is a vtkUnstructuredGrid of VTK_TETRA alone, with scalars of the points; other cells are an
  * error (vtkDataSetTriangleFilter is the remedy), with one message, and nothing is drawn. Flat cells,
  * those with a scalar that is no finite number, ghosts and blanked cells are left out. Of several
- * components the first is drawn. In a hardware selection the volume is left out.
+ * components the first is drawn; at most 1024 isosurfaces are. In a hardware selection the volume is left out.
  *
  * Source: [Kraus2005] sections 3.2.1 and 6, [Weiler2003]; see Module/References.md.
  *
@@ -84,6 +84,7 @@ private:
 
   bool IsUsable(vtkRenderer* renderer);
   bool UpdateVertices(vtkDataArray* scalars, const double range[2]);
+  vtkDataArray* FindScalars(vtkVolume* volume);
   bool Prepare(vtkVolume* volume);
   bool Sort(vtkRenderer* renderer, vtkVolume* volume);
   void WarnOnce(const std::string& text);

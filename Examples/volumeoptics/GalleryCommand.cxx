@@ -26,7 +26,7 @@ struct GalleryOptions
   std::string Cranium = DefaultCranium;
   bool WithoutCranium = false;
   bool WithoutScores = false;
-  std::string Only;
+  std::string Only; // part of the title; empty: all
   std::vector<std::string> ScoreRules = { "equal-size", "saturated" };
   bool Headless = false;
   bool Force = false;

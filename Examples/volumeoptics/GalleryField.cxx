@@ -68,6 +68,11 @@ const std::map<std::string, Maker> Makers = {
       source->SetBoundsToPackedEllipsoids();
       source->SetDimensions(125, 46, 256);
     } },
+  { "plant",
+    [](vtkAnalyticVolumeSource* source) {
+      source->SetFieldToPlant();
+      source->SetDimensions(128, 128, 128);
+    } },
   { "tubes",
     [](vtkAnalyticVolumeSource* source) {
       source->SetFieldToVortexTubes();

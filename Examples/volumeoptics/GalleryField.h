@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The volumes of the gallery by name: cranium, marschner-lobb, sphere, ellipsoid, cylinder, packed,
-// tubes, coulomb, orbital, bucky-tetrahedra.
+// tubes, plant, coulomb, orbital, bucky-tetrahedra.
 
 #ifndef GalleryField_h
 #define GalleryField_h

@@ -3,6 +3,7 @@
 
 #include "GalleryList.h"
 
+#include "GalleryLighting.h"
 #include "GalleryScenes.h"
 
 #include <cstdio>
@@ -229,7 +230,9 @@ std::vector<GallerySection> GalleryList(bool withCranium)
   {
     sections.push_back(section);
   }
-  const std::vector<GallerySection> integration = IntegrationSections(withCranium);
-  sections.insert(sections.end(), integration.begin(), integration.end());
+  for (const auto& more : { IntegrationSections(withCranium), LightingSections(withCranium) })
+  {
+    sections.insert(sections.end(), more.begin(), more.end());
+  }
   return sections;
 }

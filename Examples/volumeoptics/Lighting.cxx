@@ -8,6 +8,7 @@
 #include "vtkGradientAlignedHistogram.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkLightingTransferFunctionItem.h"
+#include "vtkMultiSampleClassification.h"
 #include "vtkOpticsVolumeProperty.h"
 
 #include <vtkCallbackCommand.h>
@@ -79,6 +80,13 @@ void Apply(const LightingSettings& lighting, vtkOpticsVolumeProperty* property)
     function->ReadJsonString(lighting.Function);
   }
   property->SetLightingTransferFunction(function);
+  vtkSmartPointer<vtkMultiSampleClassification> rules;
+  if (!lighting.Rules.empty())
+  {
+    rules = vtkSmartPointer<vtkMultiSampleClassification>::New();
+    rules->ReadJsonString(lighting.Rules);
+  }
+  property->SetMultiSampleClassification(rules);
   property->SetLightScale(lighting.Scale);
   property->SetGradientStepLength(lighting.StepLength);
   property->SetHybridNormals(lighting.HybridNormals);

@@ -51,6 +51,7 @@ struct LightingSettings
   double Scale = 1.0;
   double StepLength = 1.0; // of the finest spacing
   bool HybridNormals = false;
+  std::string Rules; // of a classification by several samples, JSON text; empty: none
 };
 
 struct PictureSettings
@@ -72,7 +73,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   AmbientSettings, Radius, Samples, Tolerance, ResolutionFactor, FilterStandardDeviation, Pattern, Precision)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightingSettings, Function, Scale, StepLength, HybridNormals)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightingSettings, Function, Scale, StepLength, HybridNormals, Rules)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   PictureSettings, Optics, Lighting, Ambient, Camera, Lights, Function, Size, Background, Step, Quality)

@@ -6,6 +6,7 @@
 #include "Commands.h"
 #include "TradeCovariance.h"
 #include "TradeIntegration.h"
+#include "TradeLighting.h"
 #include "TradeShading.h"
 #include "TradeTable.h"
 
@@ -69,6 +70,23 @@ void AddIntegration(CLI::App& trade)
   command->callback([options] { TradeIntegration(*options); });
 }
 
+void AddLighting(CLI::App& trade)
+{
+  const auto options = std::make_shared<LightingTradeOptions>();
+  CLI::App* command = trade.add_subcommand("lighting",
+    "Lighting transfer functions: RMSE and maximum against the double-precision ray caster, by step along "
+    "the gradient, table size, bits, fetches and step length (CSV and SVG)");
+  command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
+  command->add_option("--field", options->Field, "Synthetic field")
+    ->check(CLI::IsMember({ "marschner-lobb", "ellipsoid", "cylinder", "packed", "plant", "tubes" }))
+    ->capture_default_str();
+  command->add_option("--size", options->Size, "Width and height of the picture")
+    ->check(CLI::Range(16, 2048))
+    ->capture_default_str();
+  command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->callback([options] { TradeLighting(*options); });
+}
+
 void AddTable(CLI::App& trade)
 {
   const auto options = std::make_shared<TableOptions>();
@@ -95,5 +113,6 @@ void AddTradeCommand(CLI::App& program)
   AddCovariance(*trade);
   AddShading(*trade);
   AddIntegration(*trade);
+  AddLighting(*trade);
   AddTable(*trade);
 }

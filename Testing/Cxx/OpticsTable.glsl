@@ -186,6 +186,26 @@ vec4 EvaluateInDataSpace(int function, FunctionInput i)
   return OneNumber(TableCoordinate(i.p.x, i.p.y)); // 35
 }
 
+vec4 EvaluateMultiSample(int function, FunctionInput i)
+{
+  if (function == 36)
+  {
+    return OneNumber(SoftRange(i.p.x, i.p.y, i.p.z, i.major.x));
+  }
+  if (function == 37)
+  {
+    return OneNumber(RuleWeight(i.p, i.normal, i.toLight, i.toViewer));
+  }
+  ClassifiedSample former;
+  former.color = i.normal;
+  former.opacity = i.p.x;
+  ClassifiedSample rule;
+  rule.color = i.toLight;
+  rule.opacity = i.p.y;
+  ClassifiedSample mixed = ApplyRule(former, rule, i.p.z); // 38
+  return vec4(mixed.color.x, mixed.color.y, mixed.color.z, mixed.opacity);
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
@@ -196,5 +216,9 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateReflectance(function, i);
   }
-  return function < 23 ? EvaluateFrame(function, i) : EvaluateInDataSpace(function, i);
+  if (function < 23)
+  {
+    return EvaluateFrame(function, i);
+  }
+  return function < 36 ? EvaluateInDataSpace(function, i) : EvaluateMultiSample(function, i);
 }

@@ -59,13 +59,13 @@ void CheckRamp(Report& report)
   geometry.Spacing = { 1.0, 1.5, 0.5 };
   geometry.Origin = { 3.0, -7.0, 1.0 };
   geometry.Direction = testing::Rotation();
-  const glm::dvec3 slope(1.0, 2.0, -2.0);
+  const glm::dvec3 slope(2.0, -1.0, 2.0);
   const auto image = testing::MakeImage(
     geometry, [&](const glm::dvec3& p) { return glm::dot(slope, p); }, VTK_DOUBLE);
   vtkNew<vtkGradientAlignedHistogram> filter;
   filter->SetInputData(image);
   filter->SetStepLength(1.5); // of 0.5
-  filter->SetNumberOfBins(100);
+  filter->SetNumberOfBins(1000);
   filter->Update();
   vtkImageData* histogram = filter->GetOutput();
   const double bin = histogram->GetSpacing()[0];
@@ -87,7 +87,7 @@ void CheckRamp(Report& report)
   vtkImageData* gradients = filter->GetOutput(1);
   const int row = static_cast<int>(3.0 / gradients->GetSpacing()[1]);
   double atSlope = 0.0;
-  for (int x = 0; x < 100; ++x)
+  for (int x = 0; x < 1000; ++x)
   {
     atSlope += gradients->GetScalarComponentAsDouble(x, row, 0, 0);
   }

@@ -68,7 +68,17 @@ void CheckSwap(Check& check)
 {
   LightingEditorScene scene;
   AddBoundary(scene, 20.0, 40.0, 100.0, 120.0);
-  scene.Drag(1, 30.0, 1, 200.0); // past the other material
+  // past the other material; until the button is released it stays on its axis
+  scene.Play(scene.At("MouseMoveEvent", 1, 30.0) + scene.At("LeftButtonPressEvent", 1, 30.0) +
+    scene.At("MouseMoveEvent", 1, 200.0));
+  double box[2];
+  scene.Item->GetAxisPoint(1, 200.0, box);
+  vtkNew<vtkUnsignedCharArray> pixel;
+  const int x = static_cast<int>(box[0]);
+  const int y = static_cast<int>(box[1]) + 7;
+  scene.View->GetRenderWindow()->GetPixelData(x, y, x, y, 0, pixel);
+  check.AtLeast("the box under the mouse is orange", pixel->GetValue(0) - pixel->GetValue(2), 100.0);
+  scene.Play(scene.At("LeftButtonReleaseEvent", 1, 200.0));
   CheckRange(check, "a material that becomes the higher one", scene.Range(0, 0), 190.0, 210.0);
   scene.Drag(0, 200.0, 0, 180.0); // it now is on the axis of S1
   CheckRange(check, "changes the axis after the drag", scene.Range(0, 0), 170.0, 190.0);

@@ -55,10 +55,11 @@ void CheckRules(Check& check)
   const double s2[2] = { 0.0, 5.0 };
   rules->AddRule(Any, Any, s2, 0.0, 1.0, 0.0, 0.0);
   CheckColor(check, "a later rule wins", At(rules, 15.0, 35.0, 2.0), { 0.0, 1.0, 0.0, 0.0 });
+  rules->SetSoftness(1, Rules::Downhill, 2.0);
+  CheckColor(check, "half of it on the earlier one", At(rules, 15.0, 35.0, 6.0), { 1.0, 0.0, 0.0, 0.125 });
   rules->RemoveRule(0);
-  CheckColor(check, "the first is removed", At(rules, 15.0, 35.0, 6.0), Former);
+  CheckColor(check, "the first is removed", At(rules, 15.0, 35.0, 7.0), Former);
   // what is transparent has no say in the colour
-  rules->SetSoftness(0, Rules::Downhill, 2.0);
   CheckColor(check, "half transparent", At(rules, 0.0, 0.0, 6.0), { 0.2, 0.4, 0.6, 0.25 });
 }
 

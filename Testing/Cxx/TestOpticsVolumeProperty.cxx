@@ -5,6 +5,8 @@
 // of choices, copies, and no modification where nothing changes.
 
 #include "Check.h"
+#include "vtkLightingTransferFunction.h"
+#include "vtkMultiSampleClassification.h"
 #include "vtkOpticsVolumeProperty.h"
 
 #include "vtkCallbackCommand.h"
@@ -261,6 +263,62 @@ void CheckModified(Check& check)
     check.That(property->GetMTime() == changed, name + " modifies the property the second time");
   }
 }
+
+// The functions that a property refers to: edited, they change it; copied, they are its own.
+void CheckLighting(Check& check)
+{
+  vtkNew<Property> property;
+  check.That(!property->GetLightingTransferFunction() && !property->GetMultiSampleClassification(),
+    "there are functions by default");
+  check.Near("default gradient step", property->GetGradientStepLength(), 1.0, 0.0);
+  check.Near("default light scale", property->GetLightScale(), 1.0, 0.0);
+  check.That(!property->GetHybridNormals(), "normals are hybrid by default");
+
+  vtkNew<vtkLightingTransferFunction> function;
+  vtkNew<vtkMultiSampleClassification> rules;
+  property->SetLightingTransferFunction(function);
+  property->SetMultiSampleClassification(rules);
+  property->SetGradientStepLength(2.0);
+  property->SetLightScale(5.0);
+  property->HybridNormalsOn();
+  const double a[2] = { 0.0, 1.0 }, b[2] = { 2.0, 3.0 };
+  vtkMTimeType before = property->GetMTime();
+  function->AddBoundary(a, b, 0.1, 0.2, 0.3);
+  check.That(property->GetMTime() > before, "an edited boundary does not modify the property");
+  before = property->GetMTime();
+  rules->AddRule(a, a, b, 1.0, 1.0, 1.0, 1.0);
+  check.That(property->GetMTime() > before, "an edited rule does not modify the property");
+  before = property->GetMTime();
+  property->SetLightingTransferFunction(function);
+  property->SetLightScale(5.0);
+  check.That(property->GetMTime() == before, "the same function modifies the property");
+
+  vtkNew<Property> copy;
+  copy->DeepCopy(property);
+  check.Near("copied gradient step", copy->GetGradientStepLength(), 2.0, 0.0);
+  check.Near("copied light scale", copy->GetLightScale(), 5.0, 0.0);
+  check.That(copy->GetHybridNormals(), "hybrid normals are not copied");
+  check.That(copy->GetMultiSampleClassification() == rules, "the classification is not shared");
+  check.That(copy->GetLightingTransferFunction() && copy->GetLightingTransferFunction() != function &&
+      copy->GetLightingTransferFunction()->GetNumberOfBoundaries() == 1,
+    "the lighting transfer function is not copied");
+}
+
+void CheckLightingRanges(Check& check)
+{
+  vtkNew<Property> property;
+  const auto refused = [&](const std::string& range, const Change& change) {
+    const std::vector<std::string> texts = WarningsOf(property, change);
+    check.That(texts.size() == 1 && texts[0].find(range) != std::string::npos, range + " is not told once");
+  };
+  refused("[0, 10000]", [](Property* p) { p->SetGradientStepLength(-1.0); });
+  check.Near("least gradient step", property->GetGradientStepLength(), 0.0, 0.0);
+  refused("[0, 10000]", [](Property* p) { p->SetGradientStepLength(Infinity); });
+  check.Near("largest gradient step", property->GetGradientStepLength(), 1.0e4, 0.0);
+  refused("[0, 1e+06]", [](Property* p) { p->SetLightScale(-1.0); });
+  refused("[0, 1e+06]", [](Property* p) { p->SetLightScale(NotANumber); });
+  check.Near("least light scale", property->GetLightScale(), 0.0, 0.0);
+}
 }
 
 int TestOpticsVolumeProperty(int, char*[])
@@ -272,5 +330,7 @@ int TestOpticsVolumeProperty(int, char*[])
   CheckPerModel(check);
   CheckCopies(check);
   CheckModified(check);
+  CheckLighting(check);
+  CheckLightingRanges(check);
   return check.ExitCode();
 }

@@ -260,6 +260,13 @@ void TestMessages(Check& check)
   TestSaidOnce(check, "silhouettes", silhouette.Integrator, silhouette, "vtkDataSpaceRayCastFunction");
   check.Near("without silhouettes", silhouette.RenderOpacity(9, 9), 1.0 - std::pow(0.3, 0.8), 1.0 / 255.0);
 
+  TetrahedraScene many(TetrahedraScene::Projected, MakeBox(2, Linear), Size);
+  for (int i = 0; i < 1025; ++i)
+  {
+    many.Property->AddIsosurface(0.5 + 1e-4 * i, 1.0, 1.0, 1.0, 0.01);
+  }
+  TestSaidOnce(check, "too many isosurfaces", many.Tetrahedra, many, "RemoveIsosurface");
+
   TetrahedraScene empty(TetrahedraScene::Projected, Grid::New(), Size);
   const Warnings warnings(empty.Tetrahedra);
   check.Near("empty grid", empty.RenderOpacity(9, 9), 0.0, 0.0);

@@ -151,6 +151,11 @@ const std::vector<TestedFunction>& TestedFunctions()
       400.0 },
     { "CrossesIsovalue, CrossingFraction", one, 4.0, 8.0 },
     { "TableCoordinate", one, 4.0, 8.0 },
+    // a difference, a quotient of at most 1 and a difference from 1, one rounding each; a product of three
+    { "SoftRange", one, 3.0, 8.0 },
+    { "RuleWeight", one, 9.0, 24.0 },
+    // shares of sums without cancellation
+    { "ApplyRule", one, 8.0, 16.0 },
   };
   return functions;
 }
@@ -166,6 +171,7 @@ public:
     this->AddOpacitiesInDataSpace();
     this->AddSurfacesInDataSpace();
     this->AddTransmission();
+    this->AddMultiSample();
   }
 
   std::vector<FunctionCase> Cases;
@@ -423,6 +429,46 @@ private:
   }
 
   // Cosines above 1e-4: the product of two smaller ones has a side by rounding.
+  // At the ends of a range, in its soft edges, far away; rules of all opacities.
+  void AddMultiSample()
+  {
+    for (double softness : { 0.0, 1e-3, 0.3, 40.0, 1e30 })
+    {
+      for (double low : { -1e30, -200.0, 0.0, 0.1 })
+      {
+        for (double value : { -3e38, -200.25, -1e-3, 0.0, 0.1, 0.4, 7.0, 7.0001, 8.0, 30.0, 3e38 })
+        {
+          FunctionCase c;
+          c.Function = 36;
+          c.P = glm::vec3(value, low, 7.0);
+          c.Major = glm::vec3(softness, 0.0, 0.0);
+          this->Cases.push_back(c);
+          c.Function = 37;
+          c.P = glm::vec3(value, 0.5, 0.9);
+          c.Normal = glm::vec3(low, 0.0, 1.0);
+          c.ToLight = glm::vec3(7.0, 1.0, 3.0);
+          c.ToViewer = glm::vec3(softness, 0.0, 0.3);
+          this->Cases.push_back(c);
+        }
+      }
+    }
+    for (double former : { 0.0, 1e-30, 0.2, 1.0 })
+    {
+      for (double rule : { 0.0, 1e-30, 0.7, 1.0 })
+      {
+        for (double weight : { 0.0, 1e-6, 0.5, 0.999, 1.0 })
+        {
+          FunctionCase c;
+          c.Function = 38;
+          c.P = glm::vec3(former, rule, weight);
+          c.Normal = glm::vec3(0.2, 1.0, 0.0);
+          c.ToLight = glm::vec3(0.9, 0.0, 0.4);
+          this->Cases.push_back(c);
+        }
+      }
+    }
+  }
+
   void AddTransmission()
   {
     for (int i = 0; i < 300; ++i)
