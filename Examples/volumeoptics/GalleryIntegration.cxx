@@ -83,7 +83,7 @@ void Shade(PictureSettings& settings, double azimuth, double elevation)
   settings.Function.Diffuse = 0.9;
   settings.Function.Specular = 0.5;
   settings.Function.SpecularPower = 40.0;
-  settings.Lights = { { azimuth, elevation, 1.0 } };
+  settings.Lights = { { azimuth, elevation, 1.0, true } };
 }
 
 const Isosurfaces CoulombSurfaces = { { 0.26, 0.1, 0.3, 0.85, 0.25 }, { 0.46, 0.9, 0.15, 0.1, 0.45 } };
@@ -207,10 +207,9 @@ GallerySection LimitSection()
 GallerySection LightSection()
 {
   GallerySection section{ "Light from behind",
-    "After Fig. 6: translucent surfaces with the light before and behind them. Without transmission the "
-    "light "
-    "behind is lost, but for the inner sides that reflect it. Diffuse transmission lights the surface as far "
-    "as it is translucent; specular transmission shows where the light is.",
+    "After Fig. 6: translucent surfaces with the light before and behind them. Without transmission the side "
+    "towards the viewer stays dark. Diffuse transmission lights the surface as far as it is translucent; "
+    "specular transmission shows where the light is.",
     4, {}, false };
   PictureSettings settings = Base(CoulombView);
   Shade(settings, -25.0, 30.0);
@@ -220,9 +219,10 @@ GallerySection LightSection()
   integration.Silhouette = "exact";
   section.Pictures.push_back(
     { "light-front", "Light from the front", "coulomb", settings, "Reflection alone, as usual." });
-  Shade(settings, 160.0, 20.0);
-  section.Pictures.push_back(
-    { "light-off", "From behind, no transmission", "coulomb", settings, "Most of the light is lost." });
+  Shade(settings, 170.0, 12.0);
+  settings.Lights[0].Intensity = 1.5;
+  section.Pictures.push_back({ "light-off", "From behind, no transmission", "coulomb", settings,
+    "The near side is dark; the far side shines through it." });
   integration.TransmittedLight = "diffuse";
   section.Pictures.push_back({ "light-diffuse", "From behind, diffuse transmission", "coulomb", settings,
     "Surfaces glow with their own colour." });
