@@ -27,6 +27,7 @@ PictureSettings Base(const View& view)
   settings.Camera.Elevation = view.Elevation;
   settings.Camera.Zoom = view.Zoom;
   settings.Size = { PictureSize, PictureSize };
+  settings.Step = 1.0; // a voxel: surfaces are found between the samples
   settings.Function.Shade = false;
   settings.Function.Opacity = { { 0.0, 0.0 }, { 1.0, 0.0 } };
   settings.Function.Color = { { 0.0, 1.0, 1.0, 1.0 } };
@@ -137,7 +138,8 @@ GallerySection RidgesSection()
     "After Fig. 8a and b: on the tops of the ridges and the bottoms of the valleys the gradient is smallest. "
     "Opacity per length makes them opaque, which looks like a silhouette where there is none.",
     3, {}, false };
-  const PictureSettings settings = Base({ 0.0, 62.0, 1.35 });
+  PictureSettings settings = Base({ 0.0, 62.0, 1.35 });
+  settings.Step = 0.5; // ridges are thin
   section.Pictures = { Standard("ridges", field, settings, surfaces, 0.35,
                          "Dark lines on tops and bottoms, mixed with silhouettes."),
     ScaleInvariant("ridges", field, settings, surfaces, "off", "Each layer of the surface has opacity 0.25."),
