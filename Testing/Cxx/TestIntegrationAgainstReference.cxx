@@ -112,7 +112,8 @@ const Setting Settings[] = {
       AddSurfaces(s);
       TransmitLight(s);
       s.Property->SetTransmittedLightToDiffuseAndSpecular();
-    } },
+    },
+    0.3 }, // a light changes sides at a grazing angle at once: rounding decides it for some pixels
   { "parallel",
     [](TestScene& s) {
       UsePreIntegrated(s);
@@ -131,6 +132,7 @@ void CheckSetting(Check& check, const Setting& setting, int model, bool shade)
   stage.Opacity->AddPoint(0.4, 0.02);
   stage.Opacity->AddPoint(0.45, 0.0);
   stage.Opacity->AddPoint(0.9, 0.05);
+  stage.Opacity->AddPoint(0.95, 0.0); // within the data, where the peak of the reference and the table ends
   stage.Property->SetShade(shade);
   stage.Property->SetReflectanceModel(model);
   stage.Property->SetSpecular(1.0);

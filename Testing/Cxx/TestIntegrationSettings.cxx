@@ -33,7 +33,7 @@ void MakeSmooth(TestScene& scene)
   scene.Opacity->AddPoint(1.0, 0.3);
   scene.Property->ShadeOff();
   scene.Mapper->SetSampleDistance(0.01F);
-  scene.Window->SetSize(50, 50);
+  scene.Window->SetSize(36, 36);
 }
 
 std::vector<unsigned char> DrawStock(const Row& row)

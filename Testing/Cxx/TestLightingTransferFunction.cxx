@@ -143,8 +143,9 @@ void CheckTableAgainstValues(Check& check)
       Triple mean = { 0.0, 0.0, 0.0 };
       for (int i = 0; i < fine * fine; ++i)
       {
-        const Triple k =
-          At(function, 5.0 * (column + (i % fine + 0.5) / fine), 5.0 * (row + (i / fine + 0.5) / fine));
+        const int x = i % fine;
+        const int y = i / fine;
+        const Triple k = At(function, 5.0 * (column + (x + 0.5) / fine), 5.0 * (row + (y + 0.5) / fine));
         for (int channel = 0; channel < 3; ++channel)
         {
           mean[channel] += k[channel] / fine / fine;
