@@ -27,6 +27,7 @@ PictureSettings Base(const View& view)
   settings.Camera.Elevation = view.Elevation;
   settings.Camera.Zoom = view.Zoom;
   settings.Size = { PictureSize, PictureSize };
+  settings.Step = 1.0; // a voxel: surfaces are found between the samples
   settings.Function.Shade = false;
   settings.Function.Opacity = { { 0.0, 0.0 }, { 1.0, 0.0 } };
   settings.Function.Color = { { 0.0, 1.0, 1.0, 1.0 } };
@@ -83,7 +84,7 @@ void Shade(PictureSettings& settings, double azimuth, double elevation)
   settings.Function.Diffuse = 0.9;
   settings.Function.Specular = 0.5;
   settings.Function.SpecularPower = 40.0;
-  settings.Lights = { { azimuth, elevation, 1.0 } };
+  settings.Lights = { { azimuth, elevation, 1.0, true } };
 }
 
 const Isosurfaces CoulombSurfaces = { { 0.26, 0.1, 0.3, 0.85, 0.25 }, { 0.46, 0.9, 0.15, 0.1, 0.45 } };
@@ -121,7 +122,7 @@ GallerySection OrbitalSection()
     "little above the isovalue, so the gradient is small there, and opacity per length makes the ring more "
     "opaque than the lobes.",
     3, {}, false };
-  PictureSettings settings = Base({ 0.0, 22.0, 1.25 });
+  PictureSettings settings = Base({ 0.0, 22.0, 1.5 });
   section.Pictures = { Standard("orbital", field, settings, surfaces, 0.8,
                          "The ring looks denser than the lobes; nothing in the data says so."),
     ScaleInvariant("orbital", field, settings, surfaces, "off", "Opacity 0.35 on all three parts."),
@@ -137,7 +138,8 @@ GallerySection RidgesSection()
     "After Fig. 8a and b: on the tops of the ridges and the bottoms of the valleys the gradient is smallest. "
     "Opacity per length makes them opaque, which looks like a silhouette where there is none.",
     3, {}, false };
-  const PictureSettings settings = Base({ 0.0, 62.0, 1.35 });
+  PictureSettings settings = Base({ 0.0, 62.0, 1.35 });
+  settings.Step = 0.5; // ridges are thin
   section.Pictures = { Standard("ridges", field, settings, surfaces, 0.35,
                          "Dark lines on tops and bottoms, mixed with silhouettes."),
     ScaleInvariant("ridges", field, settings, surfaces, "off", "Each layer of the surface has opacity 0.25."),
@@ -197,8 +199,8 @@ GallerySection LimitSection()
                       : "The steps are hardly seen." });
   }
   const double opacity = 1.0 - transparency;
-  settings.Function.Opacity = { { first - edge, 0.0 }, { first, opacity }, { last, opacity },
-    { last + edge, 0.0 } };
+  settings.Function.Opacity = { { 0.0, 0.0 }, { first - edge, 0.0 }, { first, opacity }, { last, opacity },
+    { last + edge, 0.0 }, { 1.0, 0.0 } };
   settings.Function.Integration.UnitInterval = last - first;
   section.Pictures.push_back({ "limit-integral", "The integral", "coulomb", settings, "The limit." });
   return section;
@@ -207,10 +209,9 @@ GallerySection LimitSection()
 GallerySection LightSection()
 {
   GallerySection section{ "Light from behind",
-    "After Fig. 6: translucent surfaces with the light before and behind them. Without transmission the "
-    "light "
-    "behind is lost, but for the inner sides that reflect it. Diffuse transmission lights the surface as far "
-    "as it is translucent; specular transmission shows where the light is.",
+    "After Fig. 6: translucent surfaces with the light before and behind them. Without transmission the side "
+    "towards the viewer stays dark. Diffuse transmission lights the surface as far as it is translucent; "
+    "specular transmission shows where the light is.",
     4, {}, false };
   PictureSettings settings = Base(CoulombView);
   Shade(settings, -25.0, 30.0);
@@ -220,9 +221,10 @@ GallerySection LightSection()
   integration.Silhouette = "exact";
   section.Pictures.push_back(
     { "light-front", "Light from the front", "coulomb", settings, "Reflection alone, as usual." });
-  Shade(settings, 160.0, 20.0);
-  section.Pictures.push_back(
-    { "light-off", "From behind, no transmission", "coulomb", settings, "Most of the light is lost." });
+  Shade(settings, 170.0, 12.0);
+  settings.Lights[0].Intensity = 1.5;
+  section.Pictures.push_back({ "light-off", "From behind, no transmission", "coulomb", settings,
+    "The near side is dark; the far side shines through it." });
   integration.TransmittedLight = "diffuse";
   section.Pictures.push_back({ "light-diffuse", "From behind, diffuse transmission", "coulomb", settings,
     "Surfaces glow with their own colour." });

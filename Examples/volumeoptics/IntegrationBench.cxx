@@ -187,7 +187,7 @@ BenchFrame IntegrationBench::Measure(const BenchFunction& function, const std::s
   const std::string& classification, double step, const BenchTable& table)
 {
   BenchFrame frame = this->Judge(function, space, classification, step, table);
-  if (step >= FineStep)
+  if (step >= FineStep || classification == "pre-integrated") // whose first frame builds the table
   {
     VolumeScene& scene = *this->Scenes[space + classification];
     frame.FrameSeconds =

@@ -42,6 +42,7 @@ struct LightSettings
 {
   double Azimuth = 0.0, Elevation = 0.0; // degrees from the camera's axis
   double Intensity = 1.0;
+  bool OneSided = false; // one such light makes all of them light only surfaces that face them
 };
 
 // A lighting transfer function, in place of the coefficients of Function.
@@ -74,7 +75,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightingSettings, Function, Scale, StepLength, HybridNormals, Rules)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity, OneSided)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   PictureSettings, Optics, Lighting, Ambient, Camera, Lights, Function, Size, Background, Step, Quality)
 

@@ -12,7 +12,7 @@
 struct IntegrationTradeOptions
 {
   std::string Folder = "trade";
-  int Size = 160;
+  int Size = 128;
   bool Headless = false;
 };
 

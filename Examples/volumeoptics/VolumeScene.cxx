@@ -234,6 +234,8 @@ void VolumeScene::ApplyCamera(const CameraSettings& settings)
 void VolumeScene::ApplyLights(const std::vector<LightSettings>& lights)
 {
   this->Renderer->RemoveAllLights();
+  this->Renderer->SetTwoSidedLighting(
+    std::none_of(lights.begin(), lights.end(), [](const LightSettings& light) { return light.OneSided; }));
   for (const LightSettings& settings : lights)
   {
     const double azimuth = vtkMath::RadiansFromDegrees(settings.Azimuth);
