@@ -64,7 +64,10 @@ set(rendering_sources
   LightUniforms
   LightingBoundary
   LightingEditor
+  LightingEditorKeys
   LightingEditorPainter
+  LightingEditorPanels
+  LightingEditorPictures
   LightingJson
   LightingTable
   LightingTableTexture
@@ -84,6 +87,7 @@ set(rendering_sources
   TransferFunctionStretches
   TransferFunctionTerm
   TransferFunctionTexture
+  vtkLightingTransferFunctionItemEvents
   vtkOpticsShaderPass)
 
 list(TRANSFORM filter_classes PREPEND Filters/)

@@ -71,6 +71,20 @@ double LightingBoundary::Weight(double s1, double s2) const
     a.Weight(s2, this->Softness), b.Weight(s2, this->Softness));
 }
 
+void LightingBoundary::Print(ostream& os, vtkIndent indent) const
+{
+  for (const LightingMaterial& material : this->Materials)
+  {
+    os << indent << "Range: " << material.Range[0] << ", " << material.Range[1]
+       << ", Curve: " << material.Curve.Get() << "\n";
+  }
+  os << indent << "Softness: " << this->Softness << "\n";
+  for (int i = 0; i < 3; ++i)
+  {
+    os << indent << CoefficientNames[i] << ": " << this->Coefficients[i] << "\n";
+  }
+}
+
 std::array<std::vector<double>, 2> MeanWeights(
   const LightingBoundary& boundary, const double range[2], int size)
 {

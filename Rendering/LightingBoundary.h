@@ -16,6 +16,7 @@
 namespace volumeoptics
 {
 using LightingCoefficients = std::array<double, 3>; // ambient, diffuse, specular
+inline constexpr const char* CoefficientNames[] = { "Ambient", "Diffuse", "Specular" };
 
 struct LightingMaterial
 {
@@ -37,6 +38,8 @@ struct LightingBoundary
 
   // Factor of the coefficients.
   double Weight(double s1, double s2) const;
+
+  void Print(ostream& os, vtkIndent indent) const;
 };
 
 // Mean weights of both materials over each of `size` equal intervals of a range.

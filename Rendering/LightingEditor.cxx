@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace volumeoptics
 {
@@ -18,9 +17,6 @@ const float LeastTrace = 0.3F; // share of the way between the axes
 // Shares of the range of scalars.
 const double NewHalfWidth = 0.04;
 const double NewSoftness = 0.02;
-const double FineStep = 1.0 / 256.0;
-const double CoarseStep = 1.0 / 32.0;
-const double CoefficientStep = 0.05;
 const LightingCoefficients NewCoefficients = { 0.2, 0.7, 0.4 };
 
 double Middle(vtkLightingTransferFunction* function, int boundary, int side)
@@ -65,13 +61,32 @@ bool LightingEditor::IsMovable(int boundary, int side) const
   return !this->Function->GetCurve(boundary, side);
 }
 
+// Of an axis, where boxes are, as a share of the gap.
+double LightingEditor::StripWidth() const
+{
+  return (this->Layout.AxisThickness + Slack) / std::max(this->Layout.Gap(), 1.0F);
+}
+
+LightingEditor::PartType LightingEditor::PartOfBox(const double range[2], float along) const
+{
+  const float low = this->Layout.PixelOf(std::clamp(range[0], this->Layout.Range[0], this->Layout.Range[1]));
+  const float high = this->Layout.PixelOf(std::clamp(range[1], this->Layout.Range[0], this->Layout.Range[1]));
+  if (along < low - EndReach || along > high + EndReach)
+  {
+    return Nothing;
+  }
+  const bool isLow = std::abs(along - low) <= EndReach && along - low <= high - along;
+  const bool isHigh = std::abs(along - high) <= EndReach;
+  return isLow ? LowEnd : isHigh ? HighEnd : Box;
+}
+
 LightingEditor::Target LightingEditor::FindOnAxes(const vtkVector2f& pixel) const
 {
   const double across = this->Layout.AcrossAt(pixel);
-  const double strip = (this->Layout.AxisThickness + Slack) / std::max(this->Layout.Gap(), 1.0F);
+  const double strip = this->StripWidth();
   const bool onS1 = across <= 0.0 && across >= -strip;
   const bool onS2 = across >= 1.0 && across <= 1.0 + strip;
-  const float along = this->Layout.VerticalAxes ? pixel.GetY() : pixel.GetX();
+  const float along = this->Layout.AlongAt(pixel);
   const int count = onS1 || onS2 ? this->Function->GetNumberOfBoundaries() : 0;
   for (int i = count; i >= 0; --i)
   {
@@ -84,17 +99,11 @@ LightingEditor::Target LightingEditor::FindOnAxes(const vtkVector2f& pixel) cons
     const int side = onS1 ? this->SideOnS1(boundary) : 1 - this->SideOnS1(boundary);
     double range[2];
     this->Function->GetRange(boundary, side, range);
-    const float low =
-      this->Layout.PixelOf(std::clamp(range[0], this->Layout.Range[0], this->Layout.Range[1]));
-    const float high =
-      this->Layout.PixelOf(std::clamp(range[1], this->Layout.Range[0], this->Layout.Range[1]));
-    if (along < low - EndReach || along > high + EndReach)
+    const PartType part = this->PartOfBox(range, along);
+    if (part != Nothing)
     {
-      continue;
+      return { part, boundary, side };
     }
-    const bool isLow = std::abs(along - low) <= EndReach && along - low <= high - along;
-    const bool isHigh = std::abs(along - high) <= EndReach;
-    return { isLow ? LowEnd : isHigh ? HighEnd : Box, boundary, side };
   }
   return {};
 }
@@ -126,9 +135,9 @@ LightingEditor::Target LightingEditor::FindBand(const vtkVector2f& pixel) const
 
 LightingEditor::Target LightingEditor::Find(const vtkVector2f& pixel) const
 {
-  const float along = this->Layout.VerticalAxes ? pixel.GetY() : pixel.GetX();
+  const float along = this->Layout.AlongAt(pixel);
   const double across = this->Layout.AcrossAt(pixel);
-  const double strip = (this->Layout.AxisThickness + Slack) / std::max(this->Layout.Gap(), 1.0F);
+  const double strip = this->StripWidth();
   const bool isInside = along >= this->Layout.Start() - EndReach &&
     along <= this->Layout.Start() + this->Layout.Length() + EndReach && across >= -strip &&
     across <= 1.0 + strip;
@@ -266,121 +275,6 @@ void LightingEditor::RemoveSelected()
     this->Function->RemoveBoundary(this->Selected);
     this->Selected = -1;
   }
-}
-
-double LightingEditor::RangeWidth() const
-{
-  return this->Layout.Range[1] - this->Layout.Range[0];
-}
-
-void LightingEditor::ChangeSoftness(double steps)
-{
-  if (this->IsSelected())
-  {
-    this->History.Record(this->Function);
-    const double softness =
-      this->Function->GetSoftness(this->Selected) + steps * FineStep * this->RangeWidth();
-    this->Function->SetSoftness(this->Selected, std::clamp(softness, 0.0, this->RangeWidth()));
-  }
-}
-
-void LightingEditor::ChangeCoefficient(double change)
-{
-  this->History.Record(this->Function);
-  LightingCoefficients k;
-  this->Function->GetCoefficients(this->Selected, k.data());
-  k[this->Coefficient] = std::clamp(k[this->Coefficient] + change, 0.0, 1.0);
-  this->Function->SetCoefficients(this->Selected, k[0], k[1], k[2]);
-}
-
-void LightingEditor::Move(double scalars)
-{
-  if (this->IsMovable(this->Selected, this->Side))
-  {
-    this->History.Record(this->Function);
-    this->RememberRanges(this->Selected);
-    const std::array<double, 2>& range = this->StartRanges[this->Side];
-    this->Function->SetRange(this->Selected, this->Side, range[0] + scalars, range[1] + scalars);
-  }
-}
-
-void LightingEditor::Widen(double scalars)
-{
-  if (this->IsMovable(this->Selected, this->Side))
-  {
-    this->History.Record(this->Function);
-    this->RememberRanges(this->Selected);
-    const std::array<double, 2>& range = this->StartRanges[this->Side];
-    const double change = std::max(scalars, 0.5 * (range[0] - range[1]));
-    this->Function->SetRange(this->Selected, this->Side, range[0] - change, range[1] + change);
-  }
-}
-
-bool LightingEditor::KeyOfSelected(const std::string& symbol, bool shift)
-{
-  const double step = (shift ? CoarseStep : FineStep) * this->RangeWidth();
-  const std::map<std::string, void (*)(LightingEditor*, double)> keys = {
-    { "Delete", [](LightingEditor* editor, double) { editor->RemoveSelected(); } },
-    { "BackSpace", [](LightingEditor* editor, double) { editor->RemoveSelected(); } },
-    { "Left", [](LightingEditor* editor, double length) { editor->Move(-length); } },
-    { "Right", [](LightingEditor* editor, double length) { editor->Move(length); } },
-    { "Up", [](LightingEditor* editor, double) { editor->ChangeCoefficient(CoefficientStep); } },
-    { "Down", [](LightingEditor* editor, double) { editor->ChangeCoefficient(-CoefficientStep); } },
-    { "bracketleft", [](LightingEditor* editor, double length) { editor->Widen(-length); } },
-    { "bracketright", [](LightingEditor* editor, double length) { editor->Widen(length); } },
-    { "braceleft", [](LightingEditor* editor, double length) { editor->Widen(-length); } },
-    { "braceright", [](LightingEditor* editor, double length) { editor->Widen(length); } },
-    { "plus", [](LightingEditor* editor, double) { editor->ChangeSoftness(1.0); } },
-    { "minus", [](LightingEditor* editor, double) { editor->ChangeSoftness(-1.0); } },
-    { "space", [](LightingEditor* editor, double) { editor->Side = 1 - editor->Side; } },
-  };
-  const auto key = keys.find(symbol);
-  if (key == keys.end() || !this->IsSelected())
-  {
-    return false;
-  }
-  key->second(this, step);
-  return true;
-}
-
-bool LightingEditor::Key(const std::string& symbol, bool control, bool shift)
-{
-  if (!this->Function)
-  {
-    return false;
-  }
-  if (symbol == "z" || symbol == "Z")
-  {
-    return shift && control ? this->Redo() : this->Undo();
-  }
-  if (symbol == "y")
-  {
-    return this->Redo();
-  }
-  if (symbol == "Escape")
-  {
-    this->Cancel();
-    this->Selected = -1;
-    return true;
-  }
-  if (symbol == "Tab")
-  {
-    const int count = this->Function->GetNumberOfBoundaries();
-    this->Select(count > 0 ? (this->GetSelected() + 1) % count : -1);
-    return true;
-  }
-  if (symbol == "c")
-  {
-    this->Coefficient = (this->Coefficient + 1) % 3;
-    return true;
-  }
-  if (symbol == "a")
-  {
-    const double width = this->RangeWidth();
-    this->AddAround(this->Layout.Range[0] + 0.75 * width, this->Layout.Range[0] + 0.25 * width);
-    return true;
-  }
-  return this->KeyOfSelected(symbol, shift);
 }
 
 bool LightingEditor::Undo()

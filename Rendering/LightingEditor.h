@@ -78,7 +78,11 @@ public:
 private:
   bool IsSelected() const { return this->GetSelected() >= 0; }
   bool IsMovable(int boundary, int side) const;
+  bool KeyOfHistory(const std::string& symbol, bool redo);
+  bool KeyOfAll(const std::string& symbol);
   bool KeyOfSelected(const std::string& symbol, bool shift);
+  double StripWidth() const;
+  PartType PartOfBox(const double range[2], float along) const;
   Target FindOnAxes(const vtkVector2f& pixel) const;
   Target FindBand(const vtkVector2f& pixel) const;
   void ChangeCoefficient(double change);

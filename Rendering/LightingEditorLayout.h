@@ -37,10 +37,10 @@ struct LightingEditorLayout
     const double position = (scalar - this->Range[0]) / (this->Range[1] - this->Range[0]);
     return this->Start() + static_cast<float>(position * this->Length());
   }
+  float AlongAt(const vtkVector2f& pixel) const { return this->VerticalAxes ? pixel.GetY() : pixel.GetX(); }
   double ScalarAt(const vtkVector2f& pixel) const
   {
-    const double along = this->VerticalAxes ? pixel.GetY() : pixel.GetX();
-    const double position = (along - this->Start()) / std::max(this->Length(), 1.0F);
+    const double position = (this->AlongAt(pixel) - this->Start()) / std::max(this->Length(), 1.0F);
     return this->Range[0] + position * (this->Range[1] - this->Range[0]);
   }
 

@@ -3,7 +3,8 @@
 
 #include "LightingTable.h"
 
-#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -52,6 +53,19 @@ double DensityAt(vtkPiecewiseFunction* density, double scalar)
   const double value = density && density->GetSize() > 0 ? density->GetValue(scalar) : 0.0;
   return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
 }
+}
+
+vtkMTimeType LatestChange(const LightingFunction& function)
+{
+  vtkMTimeType time = function.Image ? function.Image->GetMTime() : 0;
+  for (const LightingBoundary& boundary : function.Boundaries)
+  {
+    for (const LightingMaterial& material : boundary.Materials)
+    {
+      time = material.Curve ? std::max(time, material.Curve->GetMTime()) : time;
+    }
+  }
+  return time;
 }
 
 LightingCoefficients TableCoefficients(vtkDataArray* values, vtkIdType point)
@@ -135,5 +149,19 @@ std::vector<float> LightingTable(
     }
   }
   return rgba;
+}
+
+void FillTableImage(const std::vector<float>& rgba, const double range[2], int size, vtkImageData* table)
+{
+  const double width = (range[1] - range[0]) / size;
+  table->SetDimensions(size, size, 1);
+  table->SetOrigin(range[0] + 0.5 * width, range[0] + 0.5 * width, 0.0);
+  table->SetSpacing(width != 0.0 ? width : 1.0, width != 0.0 ? width : 1.0, 1.0);
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetName("LightingTransferFunction");
+  scalars->SetNumberOfComponents(4);
+  scalars->SetNumberOfTuples(table->GetNumberOfPoints());
+  std::copy(rgba.begin(), rgba.end(), scalars->GetPointer(0));
+  table->GetPointData()->SetScalars(scalars);
 }
 }

@@ -19,6 +19,9 @@ struct LightingFunction
   vtkSmartPointer<vtkImageData> Image;
 };
 
+// Of its curves and its image, 0 without them.
+vtkMTimeType LatestChange(const LightingFunction& function);
+
 // The coefficients at a point of a table's image: 3, 2 (no specular) or 1 component (for all three).
 LightingCoefficients TableCoefficients(vtkDataArray* values, vtkIdType point);
 
@@ -31,6 +34,9 @@ LightingCoefficients Coefficients(const LightingFunction& function, double s1, d
 // size x size RGBA, as vtkLightingTransferFunction::GetTable().
 std::vector<float> LightingTable(
   const LightingFunction& function, const double range[2], int size, vtkPiecewiseFunction* density);
+
+// The same as an image whose points lie at (S1, S2).
+void FillTableImage(const std::vector<float>& rgba, const double range[2], int size, vtkImageData* table);
 }
 
 #endif

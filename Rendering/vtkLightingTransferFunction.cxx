@@ -4,12 +4,11 @@
 #include "vtkLightingTransferFunction.h"
 
 #include "BoundarySearch.h"
+#include "JsonErrors.h"
 #include "LightingJson.h"
 #include "LightingTable.h"
 #include "ParameterRange.h"
 
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 
@@ -23,7 +22,7 @@ vtkStandardNewMacro(vtkLightingTransferFunction);
 namespace
 {
 const volumeoptics::LightingCoefficients GuessedCoefficients = { 0.2, 0.7, 0.4 };
-const char* const CoefficientNames[] = { "Ambient", "Diffuse", "Specular" };
+const char* const Subject = "The lighting transfer function";
 
 bool IsFinite(const double range[2])
 {
@@ -35,6 +34,16 @@ class vtkLightingTransferFunction::Internals
 {
 public:
   volumeoptics::LightingFunction Function;
+
+  int Append(
+    vtkLightingTransferFunction* owner, const LightingBoundary& boundary, double ka, double kd, double ks)
+  {
+    this->Function.Boundaries.push_back(boundary);
+    owner->Modified();
+    const int index = owner->GetNumberOfBoundaries() - 1;
+    owner->SetCoefficients(index, ka, kd, ks);
+    return index;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -77,11 +86,7 @@ int vtkLightingTransferFunction::AddBoundary(
     const auto ordered = std::minmax(ranges[side][0], ranges[side][1]);
     boundary.Materials[side].Range = { ordered.first, ordered.second };
   }
-  this->Internal->Function.Boundaries.push_back(boundary);
-  this->Modified();
-  const int index = this->GetNumberOfBoundaries() - 1;
-  this->SetCoefficients(index, ka, kd, ks);
-  return index;
+  return this->Internal->Append(this, boundary, ka, kd, ks);
 }
 
 //------------------------------------------------------------------------------
@@ -96,11 +101,7 @@ int vtkLightingTransferFunction::AddBoundary(
   LightingBoundary boundary;
   boundary.Materials[0].Curve = curveA;
   boundary.Materials[1].Curve = curveB;
-  this->Internal->Function.Boundaries.push_back(boundary);
-  this->Modified();
-  const int index = this->GetNumberOfBoundaries() - 1;
-  this->SetCoefficients(index, ka, kd, ks);
-  return index;
+  return this->Internal->Append(this, boundary, ka, kd, ks);
 }
 
 //------------------------------------------------------------------------------
@@ -195,7 +196,8 @@ void vtkLightingTransferFunction::SetCoefficients(int boundary, double ka, doubl
   const double values[] = { ka, kd, ks };
   for (int i = 0; i < 3; ++i)
   {
-    volumeoptics::SetWithinRange(this, CoefficientNames[i], values[i], 0.0, 1.0, coefficients[i]);
+    volumeoptics::SetWithinRange(
+      this, volumeoptics::CoefficientNames[i], values[i], 0.0, 1.0, coefficients[i]);
   }
 }
 
@@ -292,53 +294,26 @@ void vtkLightingTransferFunction::GetTable(
   table->Initialize();
   std::vector<float> rgba;
   this->GetTable(range, size, rgba, density);
-  if (rgba.empty())
+  if (!rgba.empty())
   {
-    return;
+    volumeoptics::FillTableImage(rgba, range, size, table);
   }
-  const double width = (range[1] - range[0]) / size;
-  table->SetDimensions(size, size, 1);
-  table->SetOrigin(range[0] + 0.5 * width, range[0] + 0.5 * width, 0.0);
-  table->SetSpacing(width != 0.0 ? width : 1.0, width != 0.0 ? width : 1.0, 1.0);
-  vtkNew<vtkFloatArray> scalars;
-  scalars->SetName("LightingTransferFunction");
-  scalars->SetNumberOfComponents(4);
-  scalars->SetNumberOfTuples(table->GetNumberOfPoints());
-  std::copy(rgba.begin(), rgba.end(), scalars->GetPointer(0));
-  table->GetPointData()->SetScalars(scalars);
 }
 
 //------------------------------------------------------------------------------
 bool vtkLightingTransferFunction::WriteJson(const char* fileName)
 {
-  try
-  {
-    volumeoptics::WriteJsonFile(fileName, volumeoptics::LightingToJson(this->Internal->Function));
-  }
-  catch (const volumeoptics::JsonError& error)
-  {
-    vtkErrorMacro(<< "The lighting transfer function " << (fileName ? fileName : "(no name)") << ": "
-                  << error.what());
-    return false;
-  }
-  return true;
+  return volumeoptics::TellJsonErrors(this, Subject, fileName,
+    [&] { volumeoptics::WriteJsonFile(fileName, volumeoptics::LightingToJson(this->Internal->Function)); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkLightingTransferFunction::ReadJson(const char* fileName)
 {
-  try
-  {
+  return volumeoptics::TellJsonErrors(this, Subject, fileName, [&] {
     this->Internal->Function = volumeoptics::LightingFromJson(volumeoptics::ReadJsonObject(fileName));
-  }
-  catch (const volumeoptics::JsonError& error)
-  {
-    vtkErrorMacro(<< "The lighting transfer function " << (fileName ? fileName : "(no name)") << ": "
-                  << error.what());
-    return false;
-  }
-  this->Modified();
-  return true;
+    this->Modified();
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -350,32 +325,16 @@ std::string vtkLightingTransferFunction::WriteJsonString()
 //------------------------------------------------------------------------------
 bool vtkLightingTransferFunction::ReadJsonString(const std::string& text)
 {
-  try
-  {
+  return volumeoptics::TellJsonErrors(this, Subject, "of a text", [&] {
     this->Internal->Function = volumeoptics::LightingFromJson(volumeoptics::ParseJsonObject(text));
-  }
-  catch (const volumeoptics::JsonError& error)
-  {
-    vtkErrorMacro(<< "The lighting transfer function's text: " << error.what());
-    return false;
-  }
-  this->Modified();
-  return true;
+    this->Modified();
+  });
 }
 
 //------------------------------------------------------------------------------
 vtkMTimeType vtkLightingTransferFunction::GetMTime()
 {
-  vtkMTimeType time = this->Superclass::GetMTime();
-  const volumeoptics::LightingFunction& function = this->Internal->Function;
-  for (const LightingBoundary& boundary : function.Boundaries)
-  {
-    for (const volumeoptics::LightingMaterial& material : boundary.Materials)
-    {
-      time = material.Curve ? std::max(time, material.Curve->GetMTime()) : time;
-    }
-  }
-  return function.Image ? std::max(time, function.Image->GetMTime()) : time;
+  return std::max(this->Superclass::GetMTime(), volumeoptics::LatestChange(this->Internal->Function));
 }
 
 //------------------------------------------------------------------------------
@@ -386,17 +345,7 @@ void vtkLightingTransferFunction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Boundaries: " << function.Boundaries.size() << "\n";
   for (const LightingBoundary& boundary : function.Boundaries)
   {
-    const vtkIndent next = indent.GetNextIndent();
-    for (const volumeoptics::LightingMaterial& material : boundary.Materials)
-    {
-      os << next << "Range: " << material.Range[0] << ", " << material.Range[1]
-         << ", Curve: " << material.Curve.Get() << "\n";
-    }
-    os << next << "Softness: " << boundary.Softness << "\n";
-    for (int i = 0; i < 3; ++i)
-    {
-      os << next << CoefficientNames[i] << ": " << boundary.Coefficients[i] << "\n";
-    }
+    boundary.Print(os, indent.GetNextIndent());
   }
   os << indent << "TableImage: " << function.Image.Get() << "\n";
 }

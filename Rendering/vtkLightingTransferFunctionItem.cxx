@@ -1,90 +1,19 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "vtkLightingTransferFunctionItem.h"
+#include "vtkLightingTransferFunctionItemInternals.h"
 
-#include "HistogramPicture.h"
 #include "LightingEditorPainter.h"
 #include "ParameterRange.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkContext2D.h"
-#include "vtkContextKeyEvent.h"
-#include "vtkContextMouseEvent.h"
 #include "vtkContextScene.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkRenderWindowInteractor.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkLightingTransferFunctionItem);
-
-namespace
-{
-// Pixels.
-const float Margin = 6.0F;
-const float TitleHeight = 16.0F;
-const float TickSpace = 18.0F;  // for numbers under a horizontal axis
-const float TickWidth = 36.0F;  // beside a vertical one
-const float HalfNumber = 14.0F; // of a number at the end of an axis
-const float LeastPlot = 8.0F;
-const float HistogramShare = 0.36F; // of the width
-
-const int GuessedBoundaries = 4;
-
-struct Panels
-{
-  vtkRectf All;
-  vtkRectf Lines; // with axes
-  vtkRectf Gradients;
-  vtkRectf Pairs;
-};
-
-Panels Split(const vtkRectf& all, bool withHistograms)
-{
-  const float side = withHistograms ? HistogramShare * all.GetWidth() : 0.0F;
-  const float half = 0.5F * all.GetHeight();
-  const float left = all.GetX() + all.GetWidth() - side;
-  const auto histogram = [&](float bottom) {
-    return vtkRectf(left, bottom + Margin, std::max(side - Margin, 1.0F),
-      std::max(half - TitleHeight - 2.0F * Margin, 1.0F));
-  };
-  return { all, vtkRectf(all.GetX(), all.GetY(), all.GetWidth() - side, all.GetHeight()),
-    histogram(all.GetY() + half), histogram(all.GetY()) };
-}
-
-vtkRectf PlotOf(const vtkRectf& panel, bool vertical, float thickness)
-{
-  const float acrossStart = (vertical ? TickWidth : TickSpace) + thickness;
-  const float alongStart = Margin + (vertical ? 0.0F : HalfNumber);
-  const float x = vertical ? acrossStart : alongStart;
-  // the status below, the titles above
-  const float y = TitleHeight + (vertical ? alongStart : acrossStart);
-  const float top = TitleHeight + (vertical ? Margin : acrossStart);
-  return vtkRectf(panel.GetX() + x, panel.GetY() + y, std::max(panel.GetWidth() - 2.0F * x, LeastPlot),
-    std::max(panel.GetHeight() - y - top, LeastPlot));
-}
-}
-
-class vtkLightingTransferFunctionItem::Internals
-{
-public:
-  volumeoptics::LightingEditor Editor;
-  vtkSmartPointer<vtkImageData> Histogram;
-  vtkSmartPointer<vtkImageData> GradientHistogram;
-  vtkSmartPointer<vtkPiecewiseFunction> Opacity;
-  Panels Layout;
-  vtkSmartPointer<vtkImageData> Lines;
-  vtkSmartPointer<vtkImageData> Gradients;
-  vtkSmartPointer<vtkImageData> Pairs;
-  vtkTimeStamp SettingsTime; // of what the pictures depend on
-  vtkTimeStamp PictureTime;
-  vtkVector2i PictureSize = vtkVector2i(0, 0);
-  vtkNew<vtkCallbackCommand> Observer;
-};
 
 //------------------------------------------------------------------------------
 vtkLightingTransferFunctionItem::vtkLightingTransferFunctionItem()
@@ -118,7 +47,7 @@ void vtkLightingTransferFunctionItem::Redraw()
 //------------------------------------------------------------------------------
 void vtkLightingTransferFunctionItem::RedrawPictures()
 {
-  this->Internal->SettingsTime.Modified();
+  this->Internal->Pictures.SettingsTime.Modified();
   this->Redraw();
 }
 
@@ -151,7 +80,7 @@ vtkLightingTransferFunction* vtkLightingTransferFunctionItem::GetLightingTransfe
 //------------------------------------------------------------------------------
 void vtkLightingTransferFunctionItem::SetHistogram(vtkImageData* histogram)
 {
-  this->Internal->Histogram = histogram;
+  this->Internal->Pictures.Histogram = histogram;
   this->UpdateLayout();
   this->RedrawPictures();
 }
@@ -159,33 +88,33 @@ void vtkLightingTransferFunctionItem::SetHistogram(vtkImageData* histogram)
 //------------------------------------------------------------------------------
 vtkImageData* vtkLightingTransferFunctionItem::GetHistogram()
 {
-  return this->Internal->Histogram;
+  return this->Internal->Pictures.Histogram;
 }
 
 //------------------------------------------------------------------------------
 void vtkLightingTransferFunctionItem::SetGradientHistogram(vtkImageData* histogram)
 {
-  this->Internal->GradientHistogram = histogram;
+  this->Internal->Pictures.GradientHistogram = histogram;
   this->RedrawPictures();
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkLightingTransferFunctionItem::GetGradientHistogram()
 {
-  return this->Internal->GradientHistogram;
+  return this->Internal->Pictures.GradientHistogram;
 }
 
 //------------------------------------------------------------------------------
 void vtkLightingTransferFunctionItem::SetOpacityFunction(vtkPiecewiseFunction* opacity)
 {
-  this->Internal->Opacity = opacity;
+  this->Internal->Pictures.Opacity = opacity;
   this->RedrawPictures();
 }
 
 //------------------------------------------------------------------------------
 vtkPiecewiseFunction* vtkLightingTransferFunctionItem::GetOpacityFunction()
 {
-  return this->Internal->Opacity;
+  return this->Internal->Pictures.Opacity;
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +181,7 @@ bool vtkLightingTransferFunctionItem::Redo()
 //------------------------------------------------------------------------------
 int vtkLightingTransferFunctionItem::InitializeFromHistogram(int number)
 {
-  return this->Internal->Editor.Guess(this->Internal->Histogram, number);
+  return this->Internal->Editor.Guess(this->Internal->Pictures.Histogram, number);
 }
 
 //------------------------------------------------------------------------------
@@ -280,13 +209,13 @@ void vtkLightingTransferFunctionItem::UpdateLayout()
     all = vtkRectf(0.0F, 0.0F, static_cast<float>(this->Scene->GetSceneWidth()),
       static_cast<float>(this->Scene->GetSceneHeight()));
   }
-  this->Internal->Layout = Split(all, this->ShowHistograms);
+  this->Internal->Panels = { all, this->ShowHistograms };
   volumeoptics::LightingEditorLayout& layout = this->Internal->Editor.Layout;
   layout.VerticalAxes = this->VerticalAxes;
-  layout.Plot = PlotOf(this->Internal->Layout.Lines, this->VerticalAxes, layout.AxisThickness);
+  layout.Plot = this->Internal->Panels.Plot(this->VerticalAxes, layout.AxisThickness);
   layout.Range[0] = 0.0;
   layout.Range[1] = 1.0;
-  vtkImageData* histogram = this->Internal->Histogram;
+  vtkImageData* histogram = this->Internal->Pictures.Histogram;
   if (histogram && histogram->GetNumberOfPoints() > 0 && histogram->GetSpacing()[0] > 0.0)
   {
     const double bin = histogram->GetSpacing()[0];
@@ -297,180 +226,38 @@ void vtkLightingTransferFunctionItem::UpdateLayout()
 }
 
 //------------------------------------------------------------------------------
-void vtkLightingTransferFunctionItem::UpdatePictures()
-{
-  const volumeoptics::LightingEditorLayout& layout = this->Internal->Editor.Layout;
-  const vtkVector2i size(static_cast<int>(layout.Length()), static_cast<int>(layout.Gap()));
-  vtkMTimeType newest = this->Internal->SettingsTime;
-  for (vtkObject* object : { static_cast<vtkObject*>(this->Internal->Histogram),
-         static_cast<vtkObject*>(this->Internal->GradientHistogram),
-         static_cast<vtkObject*>(this->Internal->Opacity) })
-  {
-    newest = object ? std::max(newest, object->GetMTime()) : newest;
-  }
-  if (this->Internal->Lines && size == this->Internal->PictureSize && newest < this->Internal->PictureTime)
-  {
-    return;
-  }
-  this->Internal->PictureSize = size;
-  this->Internal->PictureTime.Modified();
-  this->Internal->Lines = volumeoptics::LineHistogramPicture(this->Internal->Histogram, size.GetX(),
-    size.GetY(), { this->LogScale, this->Internal->Opacity, this->OpacityTolerance });
-  if (this->VerticalAxes)
-  {
-    this->Internal->Lines = volumeoptics::Transposed(this->Internal->Lines);
-  }
-  const vtkRectf& side = this->Internal->Layout.Pairs;
-  const int width = static_cast<int>(side.GetWidth());
-  const int height = static_cast<int>(side.GetHeight());
-  this->Internal->Gradients =
-    volumeoptics::HistogramPicture(this->Internal->GradientHistogram, width, height, this->LogScale);
-  this->Internal->Pairs =
-    volumeoptics::HistogramPicture(this->Internal->Histogram, width, height, this->LogScale);
-}
-
-//------------------------------------------------------------------------------
 bool vtkLightingTransferFunctionItem::Paint(vtkContext2D* context)
 {
   this->UpdateLayout();
-  this->UpdatePictures();
+  this->Internal->Pictures.Update(
+    this->Internal->Editor.Layout, this->Internal->Panels.Pairs, this->LogScale, this->OpacityTolerance);
   const Internals& internal = *this->Internal;
   const volumeoptics::LightingEditorPainter painter(context, internal.Editor);
-  const vtkRectf& lines = internal.Layout.Lines;
-  painter.DrawBackground(internal.Layout.All);
-  painter.DrawPicture(internal.Editor.Layout.Plot, internal.Lines);
+  const vtkRectf& lines = internal.Panels.Lines;
+  painter.DrawBackground(internal.Panels.All);
+  painter.DrawPicture(internal.Editor.Layout.Plot, internal.Pictures.GetLines());
   painter.DrawAxes();
   painter.DrawBoundaries();
   painter.DrawTrace();
-  painter.DrawStatus(lines.GetX() + Margin, lines.GetY() + 0.5F * TitleHeight);
-  const float title = lines.GetY() + lines.GetHeight() - 0.5F * TitleHeight;
+  painter.DrawStatus(
+    lines.GetX() + volumeoptics::PanelMargin, lines.GetY() + 0.5F * volumeoptics::TitleHeight);
+  const float title = lines.GetY() + lines.GetHeight() - 0.5F * volumeoptics::TitleHeight;
   painter.DrawText(
     this->VerticalAxes ? "S2 downhill (left), S1 uphill (right)" : "S2 downhill (above), S1 uphill (below)",
     lines.GetX() + 0.5F * lines.GetWidth(), title);
   if (this->ShowHistograms)
   {
-    const vtkRectf* const rectangles[] = { &internal.Layout.Gradients, &internal.Layout.Pairs };
+    const vtkRectf* const rectangles[] = { &internal.Panels.Gradients, &internal.Panels.Pairs };
     const char* const titles[] = { "scalar, gradient", "S1, S2" };
     for (int i = 0; i < 2; ++i)
     {
       const vtkRectf& panel = *rectangles[i];
-      painter.DrawPicture(panel, i == 0 ? internal.Gradients : internal.Pairs);
+      painter.DrawPicture(panel, i == 0 ? internal.Pictures.GetGradients() : internal.Pictures.GetPairs());
       painter.DrawText(titles[i], panel.GetX() + 0.5F * panel.GetWidth(),
-        panel.GetY() + panel.GetHeight() + 0.5F * TitleHeight);
+        panel.GetY() + panel.GetHeight() + 0.5F * volumeoptics::TitleHeight);
     }
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightingTransferFunctionItem::Hit(const vtkContextMouseEvent& mouse)
-{
-  const vtkRectf& all = this->Internal->Layout.All;
-  const vtkVector2f pixel = mouse.GetPos();
-  return this->Interactive && this->Visible && pixel.GetX() >= all.GetX() && pixel.GetY() >= all.GetY() &&
-    pixel.GetX() < all.GetX() + all.GetWidth() && pixel.GetY() < all.GetY() + all.GetHeight();
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightingTransferFunctionItem::MouseButtonPressEvent(const vtkContextMouseEvent& mouse)
-{
-  if (mouse.GetButton() != vtkContextMouseEvent::LEFT_BUTTON)
-  {
-    return false;
-  }
-  this->Internal->Editor.Press(mouse.GetPos());
-  if (this->Internal->Editor.IsDragging())
-  {
-    this->InvokeEvent(vtkCommand::StartInteractionEvent);
-  }
-  this->Redraw();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightingTransferFunctionItem::MouseMoveEvent(const vtkContextMouseEvent& mouse)
-{
-  if (!this->Internal->Editor.IsDragging())
-  {
-    return false;
-  }
-  this->Internal->Editor.Drag(mouse.GetPos());
-  this->InvokeEvent(vtkCommand::InteractionEvent);
-  this->Redraw();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightingTransferFunctionItem::MouseButtonReleaseEvent(const vtkContextMouseEvent& mouse)
-{
-  if (!this->Internal->Editor.IsDragging())
-  {
-    return false;
-  }
-  this->Internal->Editor.Release(mouse.GetPos());
-  this->InvokeEvent(vtkCommand::EndInteractionEvent);
-  this->Redraw();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightingTransferFunctionItem::MouseDoubleClickEvent(const vtkContextMouseEvent& mouse)
-{
-  volumeoptics::LightingEditor& editor = this->Internal->Editor;
-  const bool isPlot = mouse.GetButton() == vtkContextMouseEvent::LEFT_BUTTON &&
-    editor.Find(mouse.GetPos()).Part == volumeoptics::LightingEditor::Plot;
-  if (isPlot)
-  {
-    const double scalar = editor.Layout.ScalarAt(mouse.GetPos());
-    editor.AddAround(scalar, scalar);
-    this->Redraw();
-  }
-  return isPlot;
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightingTransferFunctionItem::MouseWheelEvent(const vtkContextMouseEvent&, int delta)
-{
-  this->Internal->Editor.ChangeSoftness(delta);
-  this->Redraw();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkLightingTransferFunctionItem::KeyPressEvent(const vtkContextKeyEvent& key)
-{
-  vtkRenderWindowInteractor* interactor = key.GetInteractor();
-  const char* symbol = interactor ? interactor->GetKeySym() : nullptr;
-  if (!symbol)
-  {
-    return false;
-  }
-  const std::string name = symbol;
-  const bool wasDragging = this->Internal->Editor.IsDragging();
-  bool isKnown = true;
-  if (name == "g")
-  {
-    this->SetLogScale(!this->LogScale);
-  }
-  else if (name == "h")
-  {
-    this->SetShowHistograms(!this->ShowHistograms);
-  }
-  else if (name == "i")
-  {
-    this->InitializeFromHistogram(GuessedBoundaries);
-  }
-  else
-  {
-    isKnown =
-      this->Internal->Editor.Key(name, interactor->GetControlKey() != 0, interactor->GetShiftKey() != 0);
-  }
-  if (wasDragging && !this->Internal->Editor.IsDragging())
-  {
-    this->InvokeEvent(vtkCommand::EndInteractionEvent);
-  }
-  this->Redraw();
-  return isKnown;
 }
 
 //------------------------------------------------------------------------------

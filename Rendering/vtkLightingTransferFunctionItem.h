@@ -37,6 +37,7 @@
 #include "vtkVolumeOpticsModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for std::string
 
 class vtkImageData;
 class vtkLightingTransferFunction;
@@ -179,7 +180,7 @@ private:
   void Redraw();
   void RedrawPictures();
   void UpdateLayout();
-  void UpdatePictures();
+  bool ViewKey(const std::string& symbol);
 
   double OpacityTolerance = 0.02;
   bool LogScale = true;

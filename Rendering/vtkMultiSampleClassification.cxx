@@ -3,6 +3,7 @@
 
 #include "vtkMultiSampleClassification.h"
 
+#include "JsonErrors.h"
 #include "MultiSampleRules.h"
 #include "ParameterRange.h"
 
@@ -18,6 +19,7 @@ vtkStandardNewMacro(vtkMultiSampleClassification);
 
 namespace
 {
+const char* const Subject = "The classification";
 const char* const ScalarNames[] = { "S", "S1", "S2" };
 const char* const ColorNames[] = { "Red", "Green", "Blue" };
 
@@ -232,33 +234,18 @@ void vtkMultiSampleClassification::GetRules(std::vector<float>& numbers)
 //------------------------------------------------------------------------------
 bool vtkMultiSampleClassification::WriteJson(const char* fileName)
 {
-  try
-  {
-    volumeoptics::WriteJsonFile(fileName, volumeoptics::RulesToJson(this->Internal->Rules));
-  }
-  catch (const volumeoptics::JsonError& error)
-  {
-    vtkErrorMacro(<< "The classification " << (fileName ? fileName : "(no name)") << ": " << error.what());
-    return false;
-  }
-  return true;
+  return volumeoptics::TellJsonErrors(this, Subject, fileName,
+    [&] { volumeoptics::WriteJsonFile(fileName, volumeoptics::RulesToJson(this->Internal->Rules)); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkMultiSampleClassification::ReadJson(const char* fileName)
 {
-  try
-  {
+  return volumeoptics::TellJsonErrors(this, Subject, fileName, [&] {
     this->Internal->Rules =
       volumeoptics::RulesFromJson(volumeoptics::ReadJsonObject(fileName), LargestNumberOfRules);
-  }
-  catch (const volumeoptics::JsonError& error)
-  {
-    vtkErrorMacro(<< "The classification " << (fileName ? fileName : "(no name)") << ": " << error.what());
-    return false;
-  }
-  this->Modified();
-  return true;
+    this->Modified();
+  });
 }
 
 //------------------------------------------------------------------------------
@@ -270,18 +257,11 @@ std::string vtkMultiSampleClassification::WriteJsonString()
 //------------------------------------------------------------------------------
 bool vtkMultiSampleClassification::ReadJsonString(const std::string& text)
 {
-  try
-  {
+  return volumeoptics::TellJsonErrors(this, Subject, "of a text", [&] {
     this->Internal->Rules =
       volumeoptics::RulesFromJson(volumeoptics::ParseJsonObject(text), LargestNumberOfRules);
-  }
-  catch (const volumeoptics::JsonError& error)
-  {
-    vtkErrorMacro(<< "The classification's text: " << error.what());
-    return false;
-  }
-  this->Modified();
-  return true;
+    this->Modified();
+  });
 }
 
 //------------------------------------------------------------------------------
