@@ -1,7 +1,8 @@
-//VTK::System::Dec
-//VTK::Output::Dec
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+
+//VTK::System::Dec
+//VTK::Output::Dec
 
 // The finished picture, associated colour, over what the framebuffer holds.
 

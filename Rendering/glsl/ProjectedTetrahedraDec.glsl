@@ -1,7 +1,8 @@
-//VTK::System::Dec
-//VTK::Output::Dec
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+
+//VTK::System::Dec
+//VTK::Output::Dec
 
 smooth in vec3 positionView;
 smooth in vec3 weights;

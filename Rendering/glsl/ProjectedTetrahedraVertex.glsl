@@ -1,6 +1,7 @@
-//VTK::System::Dec
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
+
+//VTK::System::Dec
 
 // A vertex of a tetrahedron, four of which follow each other. The flat values are the same at all
 // four. MC: the grid's own coordinates, shifted and scaled to a unit box; VC: view coordinates.

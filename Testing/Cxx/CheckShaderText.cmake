@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Shader text is ASCII, opens with the two SPDX lines and holds no //VTK:: tag, which VTK would replace
-# even in a comment; in Module/Optics, nothing that is not C++, too.
+# even in a comment, but those that a whole shader begins with; in Module/Optics, nothing that is not C++, too.
 #   cmake -DSOURCE_FOLDER=... -P CheckShaderText.cmake
 
 set(head "// SPDX-FileCopyrightText: VolumeOptics contributors\n// SPDX-License-Identifier: BSD-3-Clause\n")
@@ -34,6 +34,7 @@ foreach (shader IN LISTS optics rendering)
   if (NOT first STREQUAL head)
     fail("does not open with the two SPDX lines")
   endif ()
+  string(REGEX REPLACE "^([^\n]*\n[^\n]*\n\n)//VTK::System::Dec\n(//VTK::Output::Dec\n)?" "\\1" text "${text}")
   if (text MATCHES "//VTK::[A-Za-z:]*")
     fail("holds the tag ${CMAKE_MATCH_0}")
   endif ()
