@@ -180,7 +180,7 @@ GallerySection LimitSection()
     "volume rendering integral in data space, which is their limit.",
     4, {}, false };
   const double transparency = 0.02, first = 0.2, last = 0.65, edge = 1.0e-5;
-  PictureSettings settings = Base(CoulombView);
+  PictureSettings settings = Base({ 0.0, 8.0, 1.5 });
   settings.Function.Color = { { 0.2, 0.15, 0.25, 0.75 }, { 0.3, 0.1, 0.65, 0.6 }, { 0.45, 0.9, 0.75, 0.15 },
     { 0.6, 0.85, 0.15, 0.1 } };
   settings.Function.Integration.Space = "data";
