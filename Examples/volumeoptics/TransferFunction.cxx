@@ -152,11 +152,13 @@ TransferFunction FromData(vtkImageData* image)
 void Apply(const TransferFunction& function, vtkVolumeProperty* property)
 {
   vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AllowDuplicateScalarsOn(); // two points at one value are a jump
   for (const auto& [value, alpha] : function.Opacity)
   {
     opacity->AddPoint(value, alpha);
   }
   vtkNew<vtkColorTransferFunction> color;
+  color->AllowDuplicateScalarsOn();
   for (const auto& [value, red, green, blue] : function.Color)
   {
     color->AddRGBPoint(value, red, green, blue);
