@@ -236,7 +236,10 @@ bool NeedsScalarGradient(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool StoresScalarGradient(const OpticsScene& scene)
 {
-  return scene.Mapper->GetScalarGradient() == vtkOpticsVolumeMapper::Stored;
+  const int gradient = scene.Mapper->GetScalarGradient();
+  const bool isAlongGradient = HasLightingTable(scene) || ReplacesClassification(scene);
+  return gradient == vtkOpticsVolumeMapper::Stored ||
+    (gradient == vtkOpticsVolumeMapper::Automatic && isAlongGradient);
 }
 
 //------------------------------------------------------------------------------

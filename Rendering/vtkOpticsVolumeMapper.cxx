@@ -40,7 +40,7 @@ vtkStandardNewMacro(vtkOpticsVolumeMapper);
 
 namespace
 {
-const char* const GradientTypeNames[] = { "Stored", "CentralDifferences" };
+const char* const GradientTypeNames[] = { "Stored", "CentralDifferences", "Automatic" };
 const char* const LightingSamplesNames[] = { "Fetched", "Extrapolated" };
 }
 

@@ -136,7 +136,8 @@ public:
   enum GradientType
   {
     Stored = 0,
-    CentralDifferences
+    CentralDifferences,
+    Automatic // of ScalarGradient alone
   };
   vtkGetMacro(ExtinctionGradient, int);
   vtkSetClampMacro(ExtinctionGradient, int, Stored, CentralDifferences);
@@ -147,15 +148,19 @@ public:
 
   ///@{
   /**
-   * How the gradient of the scalar itself is found, where a scene needs it (VTK's reflectance model
-   * together with other terms, silhouettes): by central differences, six fetches of the volume for each
-   * sample; or as the stored normal, one fetch after vtkSobelNormalFilter has run. Default
+   * How the gradient of the scalar itself is found, where a scene needs it (lighting transfer functions,
+   * classification by several samples, silhouettes, transmitted light): by central differences, six
+   * fetches of the volume for each sample, VTK's own gradient; or as the stored normal, one fetch after
+   * vtkSobelNormalFilter has run. Automatic, the default: Stored where a lighting transfer function or a
+   * classification by several samples looks along the gradient, which then is the one that
+   * vtkGradientAlignedHistogram counts with, so that what is chosen in a histogram is what is lit; else
    * CentralDifferences.
    */
   vtkGetMacro(ScalarGradient, int);
-  vtkSetClampMacro(ScalarGradient, int, Stored, CentralDifferences);
+  vtkSetClampMacro(ScalarGradient, int, Stored, Automatic);
   void SetScalarGradientToStored() { this->SetScalarGradient(Stored); }
   void SetScalarGradientToCentralDifferences() { this->SetScalarGradient(CentralDifferences); }
+  void SetScalarGradientToAutomatic() { this->SetScalarGradient(Automatic); }
   const char* GetScalarGradientAsString();
   ///@}
 
@@ -275,7 +280,7 @@ private:
   double StepInVoxels = 0.0; // of a preset; 0: the user's or VTK's
   int FramePrecision = 8;
   int ExtinctionGradient = Stored;
-  int ScalarGradient = CentralDifferences;
+  int ScalarGradient = Automatic;
   int LightingTableSize = 256;
   int LightingSamples = Fetched;
   int PreIntegrationTableSize = 256;

@@ -194,10 +194,10 @@ void AddLightingTransferFunctions(std::vector<std::unique_ptr<Contestant>>& all,
   {
     const char* Name;
     int Gradient, Samples;
-  } kinds[] = { { "lighting, gradient on the fly, fetched", Mapper::CentralDifferences, Mapper::Fetched },
-    { "lighting, gradient on the fly, extrapolated", Mapper::CentralDifferences, Mapper::Extrapolated },
-    { "lighting, stored gradient, fetched", Mapper::Stored, Mapper::Fetched },
-    { "lighting, stored gradient, extrapolated", Mapper::Stored, Mapper::Extrapolated } };
+  } kinds[] = { { "lighting, default", Mapper::Automatic, Mapper::Fetched },
+    { "lighting, stored gradient, extrapolated", Mapper::Stored, Mapper::Extrapolated },
+    { "lighting, gradient on the fly, fetched", Mapper::CentralDifferences, Mapper::Fetched },
+    { "lighting, gradient on the fly, extrapolated", Mapper::CentralDifferences, Mapper::Extrapolated } };
   for (const auto& kind : kinds)
   {
     vtkNew<Mapper> mapper;

@@ -186,7 +186,7 @@ vec4 EvaluateInDataSpace(int function, FunctionInput i)
   return OneNumber(TableCoordinate(i.p.x, i.p.y)); // 35
 }
 
-vec4 EvaluateMultiSample(int function, FunctionInput i)
+vec4 EvaluateScalarPair(int function, FunctionInput i)
 {
   if (function == 36)
   {
@@ -195,6 +195,10 @@ vec4 EvaluateMultiSample(int function, FunctionInput i)
   if (function == 37)
   {
     return OneNumber(RuleWeight(i.p, i.normal, i.toLight, i.toViewer));
+  }
+  if (function == 39)
+  {
+    return OneNumber(HybridSide(i.p.x, i.p.y));
   }
   ClassifiedSample former;
   former.color = i.normal;
@@ -220,5 +224,5 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateFrame(function, i);
   }
-  return function < 36 ? EvaluateInDataSpace(function, i) : EvaluateMultiSample(function, i);
+  return function < 36 ? EvaluateInDataSpace(function, i) : EvaluateScalarPair(function, i);
 }

@@ -4,7 +4,9 @@
 // A classification by several samples in the ray caster, against VTK's pictures with transfer functions
 // that say the same; what it refuses; and that editing rules links no program.
 
+#include "ReferencePictures.h"
 #include "ShaderText.h"
+#include "SmallScene.h"
 #include "TestScene.h"
 #include "vtkMultiSampleClassification.h"
 
@@ -27,7 +29,7 @@ vtkSmartPointer<vtkMultiSampleClassification> Classify(TestScene& scene)
 std::vector<unsigned char> DrawStock(const std::function<void(TestScene&)>& setting)
 {
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
-  TestScene scene(stock);
+  SmallScene scene(stock);
   setting(scene);
   return scene.Render();
 }
@@ -44,12 +46,12 @@ void CheckRules(Check& check, bool shade)
 {
   const std::string name = shade ? "shaded" : "not shaded";
   const auto apply = [shade](TestScene& scene) { scene.Property->SetShade(shade); };
-  TestScene none;
+  SmallScene none;
   apply(none);
   Classify(none);
   CheckSame(check, name + ", no rule", DrawStock(apply), none, 0);
 
-  TestScene one;
+  SmallScene one;
   apply(one);
   Classify(one)->AddRule(Any, Any, Any, 0.9, 0.2, 0.1, 0.02);
   const auto constant = DrawStock([&](TestScene& scene) {
@@ -61,28 +63,58 @@ void CheckRules(Check& check, bool shade)
   });
   CheckSame(check, name + ", one rule for all", constant, one, 1);
 
-  // a transfer function has no jump: its edge is a thousandth wide
-  TestScene range;
+  // a ramp in both; halfway opacities of a step are mixed here and those of a unit there, 1% apart
+  SmallScene range;
   apply(range);
   range.Opacity->RemoveAllPoints();
   range.Opacity->AddPoint(0.0, 0.0);
   const double high[2] = { 0.5, 2.0 };
-  Classify(range)->AddRule(high, Any, Any, 0.9, 0.2, 0.1, 0.05);
-  const auto step = DrawStock([&](TestScene& scene) {
+  const auto rules = Classify(range);
+  rules->SetSoftness(
+    rules->AddRule(high, Any, Any, 0.9, 0.2, 0.1, 0.05), vtkMultiSampleClassification::Center, 0.3);
+  const auto ramp = DrawStock([&](TestScene& scene) {
     apply(scene);
     scene.Opacity->RemoveAllPoints();
-    scene.Opacity->AddPoint(0.5, 0.0);
-    scene.Opacity->AddPoint(0.501, 0.05);
+    scene.Opacity->AddPoint(0.2, 0.0);
+    scene.Opacity->AddPoint(0.5, 0.05);
     scene.Color->RemoveAllPoints();
     scene.Color->AddRGBPoint(0.0, 0.9, 0.2, 0.1);
   });
-  CheckSame(check, name + ", a rule for high scalars", step, range, 8);
+  CheckSame(check, name + ", a rule for high scalars", ramp, range, 1);
+}
+
+// Two soft rules over the transfer functions, one that looks ahead and one that looks behind, in double.
+void CheckReference(Check& check, int gradient)
+{
+  SmallScene scene;
+  Frames frames(scene);
+  scene.Property->ShadeOff();
+  scene.Optics->SetScalarGradient(gradient);
+  const auto rules = Classify(scene);
+  const double low[2] = { 0.0, 0.3 }, middle[2] = { 0.3, 0.6 }, high[2] = { 0.55, 1.0 };
+  rules->AddRule(middle, high, Any, 0.9, 0.2, 0.1, 0.2);
+  rules->AddRule(Any, Any, low, 0.1, 0.8, 0.3, 0.02);
+  for (int scalar = 0; scalar < 3; ++scalar)
+  {
+    rules->SetSoftness(0, scalar, 0.1);
+    rules->SetSoftness(1, scalar, 0.2);
+  }
+  const reference::Difference difference =
+    CompareShown(scene, Render(SceneOf(scene, frames)), FloatPicture(scene));
+  std::cout << scene.Optics->GetScalarGradientAsString() << ": rms " << 255.0 * difference.rootMeanSquare
+            << "/255, largest " << 255.0 * difference.maximum << "/255\n";
+  reference::Scene without = SceneOf(scene, frames);
+  without.rules = nullptr;
+  check.AtLeast("rules in the picture",
+    255.0 * CompareShown(scene, Render(without), FloatPicture(scene)).rootMeanSquare, 5.0);
+  // as of the pictures without rules: VTK's steps and tables
+  check.AtMost("rms against double", 255.0 * difference.rootMeanSquare, 0.1);
 }
 
 // Points near the surface have one side in the ball; with a rule for those that do not, it is hollow.
 void CheckSides(Check& check)
 {
-  TestScene scene;
+  SmallScene scene;
   scene.Property->ShadeOff();
   scene.Opacity->RemoveAllPoints();
   scene.Opacity->AddPoint(0.0, 0.0);
@@ -98,7 +130,7 @@ void CheckSides(Check& check)
 
 void CheckRefused(Check& check, const std::string& name, const std::function<void(TestScene&)>& setting)
 {
-  TestScene expected, scene;
+  SmallScene expected, scene;
   setting(expected);
   setting(scene);
   Warnings warnings(scene.Optics);
@@ -111,7 +143,7 @@ void CheckRefused(Check& check, const std::string& name, const std::function<voi
 
 void CheckLinks(Check& check)
 {
-  TestScene scene;
+  SmallScene scene;
   const auto rules = Classify(scene);
   rules->AddRule(Any, Any, Any, 0.9, 0.2, 0.1, 0.02);
   scene.Render();
@@ -129,7 +161,7 @@ void CheckLinks(Check& check)
 
 void CheckText(Check& check)
 {
-  TestScene scene;
+  SmallScene scene;
   const ShaderText shader(scene.Mapper);
   Classify(scene)->AddRule(Any, Any, Any, 0.9, 0.2, 0.1, 0.02);
   scene.Render();
@@ -146,6 +178,8 @@ int TestMultiSampleTerm(int, char*[])
   Check check;
   CheckRules(check, false);
   CheckRules(check, true);
+  CheckReference(check, vtkOpticsVolumeMapper::Automatic);
+  CheckReference(check, vtkOpticsVolumeMapper::CentralDifferences);
   CheckSides(check);
   CheckLinks(check);
   CheckText(check);

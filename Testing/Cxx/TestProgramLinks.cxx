@@ -3,7 +3,7 @@
 
 // A parameter that only changes a uniform links no program; one that changes the source links one.
 
-#include "TestScene.h"
+#include "SmallScene.h"
 
 #include <functional>
 
@@ -34,7 +34,7 @@ struct Expectation
 
 void TestReflectance(Check& check)
 {
-  TestScene scene;
+  SmallScene scene;
   vtkOpticsVolumeProperty* property = scene.Property;
   property->SetReflectanceModelToWard();
   Expectation expect{ check, scene };
@@ -54,7 +54,7 @@ void TestReflectance(Check& check)
 
 void TestIntegration(Check& check)
 {
-  TestScene scene;
+  SmallScene scene;
   vtkOpticsVolumeProperty* property = scene.Property;
   property->SetIntegrationSpaceToData();
   Expectation expect{ check, scene };
@@ -70,13 +70,15 @@ void TestIntegration(Check& check)
   expect(0, "PreIntegrationTableSize", [&] { scene.Optics->SetPreIntegrationTableSize(64); });
   expect(0, "TablePrecision", [&] { scene.Optics->SetTablePrecision(16); });
   expect(0, "the sample distance", [&] { scene.Mapper->SetSampleDistance(0.05F); });
+  expect(0, "ScalarGradient CentralDifferences, which Automatic is here",
+    [&] { scene.Optics->SetScalarGradientToCentralDifferences(); });
   expect(1, "ScalarGradient", [&] { scene.Optics->SetScalarGradientToStored(); });
 }
 
 // Editing boundaries, in particular, is interactive.
 void TestLighting(Check& check)
 {
-  TestScene scene;
+  SmallScene scene;
   vtkOpticsVolumeProperty* property = scene.Property;
   LightEverywhere(scene, 0.2, 0.7, 0.2);
   vtkLightingTransferFunction* function = property->GetLightingTransferFunction();
@@ -91,9 +93,12 @@ void TestLighting(Check& check)
   expect(0, "LightingTableSize", [&] { scene.Optics->SetLightingTableSize(64); });
   expect(0, "TablePrecision", [&] { scene.Optics->SetTablePrecision(16); });
   expect(0, "the opacity function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
+  expect(
+    0, "ScalarGradient Stored, which Automatic is here", [&] { scene.Optics->SetScalarGradientToStored(); });
   expect(1, "HybridNormals", [&] { property->HybridNormalsOn(); });
   expect(0, "the opacity function with hybrid normals", [&] { scene.Opacity->AddPoint(0.7, 0.2); });
   expect(1, "LightingSamples", [&] { scene.Optics->SetLightingSamplesToExtrapolated(); });
+  expect(1, "ScalarGradient", [&] { scene.Optics->SetScalarGradientToCentralDifferences(); });
 }
 }
 

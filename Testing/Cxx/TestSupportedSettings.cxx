@@ -6,6 +6,7 @@
 // the others 0 a sample's radiance is its colour: the picture must be VTK's without shading, whatever
 // clips, crops, masks or moves the volume. With highlights it must differ from that, and be finite.
 
+#include "SmallScene.h"
 #include "SupportedSettings.h"
 
 namespace
@@ -14,7 +15,7 @@ namespace
 std::vector<unsigned char> DrawUnshaded(const Row& row)
 {
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
-  TestScene scene(stock);
+  SmallScene scene(stock);
   row.Apply(scene);
   scene.Property->ShadeOff();
   return scene.Render();
@@ -38,7 +39,7 @@ void LightByFunction(TestScene& scene, double specular)
 void CheckRow(Check& check, const Row& row, Light light)
 {
   const std::string name = row.Name;
-  TestScene scene;
+  SmallScene scene;
   row.Apply(scene);
   Warnings warnings(scene.Optics);
   light(scene, 0.0);

@@ -156,6 +156,8 @@ const std::vector<TestedFunction>& TestedFunctions()
     { "RuleWeight", one, 9.0, 24.0 },
     // shares of sums without cancellation
     { "ApplyRule", one, 8.0, 16.0 },
+    // where it is not clamped, the quotient is at most 2, and 1 is added
+    { "HybridSide", one, 3.0, 10.0 },
   };
   return functions;
 }
@@ -172,6 +174,7 @@ public:
     this->AddSurfacesInDataSpace();
     this->AddTransmission();
     this->AddMultiSample();
+    this->AddHybridSides();
   }
 
   std::vector<FunctionCase> Cases;
@@ -465,6 +468,19 @@ private:
           c.ToLight = glm::vec3(0.9, 0.0, 0.4);
           this->Cases.push_back(c);
         }
+      }
+    }
+  }
+
+  // On both sides of the change and within it, by fades from the smallest that is set to one beyond use.
+  void AddHybridSides()
+  {
+    for (double fade : { 1e-6, 1e-3, 0.0625, 1.0, 1e30 })
+    {
+      for (double share :
+        { -1e6, -1.000001, -1.0, -0.999999, -0.7, -0.5, -0.1, -1e-6, -1e-30, 0.0, 1e-30, 0.3, 1e6 })
+      {
+        this->Add(39, share * fade, fade);
       }
     }
   }

@@ -17,6 +17,13 @@ namespace
 // The mapper clamps its half floats there.
 const double LargestRadiance = 65504.0;
 
+// The scalars ahead and behind.
+struct ScalarPair
+{
+  double ahead;
+  double behind;
+};
+
 double Facing(double cosine, bool twoSided)
 {
   return twoSided ? std::abs(cosine) : std::max(cosine, 0.0);
@@ -34,16 +41,76 @@ double ValueWithin(const Scene& scene, const Vector& point)
   }
   return scene.field->Value(inside);
 }
+
+ScalarPair PairAt(const Scene& scene, const Sample& sample, const Vector& gradient)
+{
+  const double steepness = glm::length(gradient);
+  const Vector direction = steepness > 0.0 ? gradient / steepness : Vector(0.0);
+  const Vector offset = direction * (scene.gradientStepLength * scene.grid.SmallestSpacing());
+  return { ValueWithin(scene, sample.position + offset), ValueWithin(scene, sample.position - offset) };
+}
+
+double OpacityOfStep(const Scene& scene, double opacity)
+{
+  return optics::OpacityForLength(opacity, scene.step / scene.unitDistance);
+}
+
+double WeightOf(vtkMultiSampleClassification* rules, int rule, const Vector& scalars)
+{
+  Vector low, high, softness;
+  for (int i = 0; i < 3; ++i)
+  {
+    double range[2];
+    rules->GetRange(rule, i, range);
+    low[i] = range[0];
+    high[i] = range[1];
+    softness[i] = rules->GetSoftness(rule, i);
+  }
+  return optics::RuleWeight(scalars, low, high, softness);
+}
+}
+
+//------------------------------------------------------------------------------
+Vector PairGradientAt(const Scene& scene, const Sample& sample)
+{
+  if (scene.pairGradient == GradientEstimate::CentralDifferences)
+  {
+    return scene.field->Gradient(sample.position);
+  }
+  const Frame frame = scene.frames->At(sample.position);
+  return frame.normal * -frame.magnitude;
+}
+
+//------------------------------------------------------------------------------
+Classified ClassifiedAt(const Scene& scene, const Sample& sample)
+{
+  optics::ClassifiedSample classified;
+  classified.opacity = OpacityOfStep(scene, scene.Opacity(sample.scalar));
+  if (classified.opacity > 0.0 || scene.rules)
+  {
+    classified.color = scene.Color(sample.scalar);
+  }
+  if (scene.rules)
+  {
+    const ScalarPair pair = PairAt(scene, sample, PairGradientAt(scene, sample));
+    for (int i = 0; i < scene.rules->GetNumberOfRules(); ++i)
+    {
+      double color[3];
+      scene.rules->GetColor(i, color);
+      optics::ClassifiedSample rule;
+      rule.color = Vector(color[0], color[1], color[2]);
+      rule.opacity = OpacityOfStep(scene, scene.rules->GetOpacity(i));
+      const Vector scalars(sample.scalar, pair.ahead, pair.behind);
+      classified = optics::ApplyRule(classified, rule, WeightOf(scene.rules, i, scalars));
+    }
+  }
+  return { classified.color, classified.opacity };
 }
 
 //------------------------------------------------------------------------------
 LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient)
 {
-  const double steepness = glm::length(gradient);
-  const Vector direction = steepness > 0.0 ? gradient / steepness : Vector(0.0);
-  const Vector offset = direction * (scene.gradientStepLength * scene.grid.SmallestSpacing());
-  const double ahead = ValueWithin(scene, sample.position + offset);
-  const double behind = ValueWithin(scene, sample.position - offset);
+  const auto [ahead, behind] = PairAt(scene, sample, gradient);
   double values[3];
   scene.lighting->Evaluate(ahead, behind, values);
   LightingCoefficients coefficients;
@@ -60,12 +127,11 @@ LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sa
 //------------------------------------------------------------------------------
 Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color)
 {
-  const Vector gradient = scene.field->Gradient(sample.position);
+  const Vector gradient = PairGradientAt(scene, sample);
   const double steepness = glm::length(gradient);
   const LightingCoefficients coefficients = LightingCoefficientsAt(scene, sample, gradient);
   const double side = coefficients.side < 0.0 ? -1.0 : 1.0;
   const Vector normal = steepness > 0.0 ? -side * gradient / steepness : Vector(0.0);
-  const bool twoSided = scene.twoSided && !scene.hybridNormals;
   Vector diffuse(0.0);
   Vector specular(0.0);
   for (const Light& light : scene.lights)
@@ -73,8 +139,9 @@ Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const 
     const Illumination illumination = IlluminationAt(scene, light, sample.position);
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-10);
-    diffuse += illumination.factor * Facing(glm::dot(normal, illumination.toLight), twoSided) * light.diffuse;
-    const double facing = Facing(cosHalf, twoSided);
+    diffuse +=
+      illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) * light.diffuse;
+    const double facing = Facing(cosHalf, scene.twoSided);
     if (facing > 0.0)
     {
       specular += illumination.factor * std::pow(facing, scene.specularPower) * light.specular;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Light by a lighting transfer function [Lum2004] in double: nothing is tabulated.
+// Light by a lighting transfer function [Lum2004] and classification by several samples in double: nothing
+// is tabulated.
 
 #ifndef LightingTransfer_h
 #define LightingTransfer_h
@@ -19,11 +20,21 @@ struct LightingCoefficients
   double side = 1.0; // HybridSide; 1 without hybrid normals
 };
 
-// gradient: of the scalar, along which S1 and S2 are taken.
+// Of the scalar: along it S1 and S2 are taken.
+Vector PairGradientAt(const Scene& scene, const Sample& sample);
+
 LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient);
 
-// The mapper's Phong model with those coefficients; the other models are not here.
+// The mapper's Phong model with those coefficients.
 Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color);
+
+// Colour of a sample, and opacity of one step, after the rules if there are some.
+struct Classified
+{
+  Vector color = Vector(0.0);
+  double opacity = 0.0;
+};
+Classified ClassifiedAt(const Scene& scene, const Sample& sample);
 }
 
 #endif

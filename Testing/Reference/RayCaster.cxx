@@ -3,7 +3,7 @@
 
 #include "RayCaster.h"
 
-#include "Optics.h"
+#include "LightingTransfer.h"
 #include "SegmentRay.h"
 #include "Shading.h"
 
@@ -88,12 +88,11 @@ glm::dvec4 IntegrateRay(const Scene& scene, const Ray& ray)
   {
     sample.position = sample.entry + at * scene.step * ray.direction;
     sample.scalar = scene.field->Value(sample.position);
-    const double opacity = scene.Opacity(sample.scalar);
-    if (opacity > 0.0)
+    const Classified classified = ClassifiedAt(scene, sample);
+    if (classified.opacity > 0.0)
     {
-      const double alpha = optics::OpacityForLength(opacity, scene.step / scene.unitDistance);
-      const Vector radiance = Radiance(scene, sample);
-      sum += (1.0 - sum.a) * alpha * glm::dvec4(radiance, 1.0);
+      const Vector radiance = Radiance(scene, sample, classified.color, 0.0);
+      sum += (1.0 - sum.a) * classified.opacity * glm::dvec4(radiance, 1.0);
     }
     at += 1.0;
   } while (at <= steps && !(scene.terminatesEarly && sum.a > EarlyTerminationOpacity));

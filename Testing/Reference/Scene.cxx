@@ -146,6 +146,7 @@ void CopyProperty(vtkVolumeProperty* property, Scene& scene)
     scene.specularFromExtinction = optics->GetSpecularFromExtinction();
     CopyDataSpace(optics, scene);
     scene.lighting = optics->GetLightingTransferFunction();
+    scene.rules = optics->GetMultiSampleClassification();
     scene.gradientStepLength = optics->GetGradientStepLength();
     scene.lightScale = optics->GetLightScale();
     scene.hybridNormals = optics->GetHybridNormals();
@@ -201,8 +202,8 @@ Scene SceneFromVTK(vtkRenderer* renderer, vtkVolume* volume, int width, int heig
       scene.lights.push_back(LightOf(light, worldToDataset));
     }
   }
-  scene.twoSided = renderer->GetTwoSidedLighting() != 0;
   CopyProperty(volume->GetProperty(), scene);
+  scene.twoSided = renderer->GetTwoSidedLighting() != 0 && !(scene.lighting && scene.hybridNormals);
   scene.densityFade = DensityFade(scene.opacity, image);
   scene.step = mapper->GetSampleDistance();
   return scene;

@@ -14,6 +14,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkLightingTransferFunction.h"
+#include "vtkMultiSampleClassification.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkSmartPointer.h"
 
@@ -125,8 +126,11 @@ struct Scene
   bool specularFromExtinction = true;
   GradientEstimate gradientEstimate = GradientEstimate::StoredNormal;
 
-  vtkSmartPointer<vtkLightingTransferFunction> lighting; // with the model VTK alone
-  double gradientStepLength = 1.0;                       // in units of the smallest spacing
+  vtkSmartPointer<vtkLightingTransferFunction> lighting;
+  vtkSmartPointer<vtkMultiSampleClassification> rules; // in physical space alone
+  // Of the scalar, along which lighting and rules look: of the frames, or of the field.
+  GradientEstimate pairGradient = GradientEstimate::CentralDifferences;
+  double gradientStepLength = 1.0; // in units of the smallest spacing
   double lightScale = 1.0;
   bool hybridNormals = false;
   double densityFade = 1.0; // difference of opacities over which light changes sides

@@ -221,10 +221,27 @@ ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample
 
 namespace
 {
+// Of a model other than VTK's; hybrid normals turn the extinction's.
+LightingCoefficients CoefficientsAt(const Scene& scene, const Sample& sample, ExtinctionGradient& extinction)
+{
+  if (!scene.lighting)
+  {
+    return { scene.ambient, scene.diffuse, scene.specular };
+  }
+  const Vector gradient = PairGradientAt(scene, sample);
+  LightingCoefficients coefficients = LightingCoefficientsAt(scene, sample, gradient);
+  if (scene.hybridNormals && coefficients.side * glm::dot(extinction.normal, gradient) > 0.0)
+  {
+    extinction.normal = -extinction.normal;
+  }
+  coefficients.specular *= std::abs(coefficients.side);
+  return coefficients;
+}
+
 // Ambient and reflected light.
 Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
 {
-  if (scene.lighting)
+  if (scene.reflectance == Reflectance::VTK && scene.lighting)
   {
     return LightingTransferRadiance(scene, sample, color);
   }
@@ -239,6 +256,7 @@ Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
   {
     extinction = ExtinctionGradientAt(scene, sample);
   }
+  const LightingCoefficients coefficients = CoefficientsAt(scene, sample, extinction);
   Vector diffuse(0.0);
   Vector specular(0.0);
   for (const Light& light : scene.lights)
@@ -259,7 +277,7 @@ Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
         light.specular;
     }
   }
-  return color * (scene.ambient + scene.diffuse * diffuse) + scene.specular * specular;
+  return color * (coefficients.ambient + coefficients.diffuse * diffuse) + coefficients.specular * specular;
 }
 }
 
