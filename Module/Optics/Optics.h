@@ -29,6 +29,8 @@ using namespace glm;
 #include "Opacity.glsl"
 #include "AnisotropyFrame.glsl"
 #include "Reflectance.glsl"
+#include "SphericalHarmonics.glsl"
+#include "CylinderLighting.glsl"
 #undef float
 }
 }

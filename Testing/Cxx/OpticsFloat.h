@@ -30,6 +30,8 @@ using namespace glm;
 #include "OpticsFloat/Opacity.glsl"
 #include "OpticsFloat/AnisotropyFrame.glsl"
 #include "OpticsFloat/Reflectance.glsl"
+#include "OpticsFloat/SphericalHarmonics.glsl"
+#include "OpticsFloat/CylinderLighting.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }
 }

@@ -128,8 +128,39 @@ vec4 EvaluateFrame(int function, FunctionInput i)
   return ThreeNumbers(frame.minor); // 22
 }
 
+// normal is the cylinder's tangent.
+vec4 EvaluateLines(int function, FunctionInput i)
+{
+  if (function == 23)
+  {
+    return OneNumber(SphericalHarmonic(int(i.p.x), int(i.p.y), i.normal));
+  }
+  if (function == 24)
+  {
+    return OneNumber(SineMoment(int(i.p.x), i.p.y));
+  }
+  if (function == 25)
+  {
+    return OneNumber(CosinePowerIntegral(i.p.x, i.p.y));
+  }
+  CylinderView view = ViewOfCylinder(i.normal, i.toViewer);
+  if (function == 26)
+  {
+    return OneNumber(DiffuseOfCylinder(view, i.toLight));
+  }
+  if (function == 27)
+  {
+    return OneNumber(SpecularOfCylinder(view, i.toLight, i.toViewer, i.p.x));
+  }
+  return TwoNumbers(DepthBounds(i.p.x, i.p.y)); // 28
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
+  if (function > 22)
+  {
+    return EvaluateLines(function, i);
+  }
   if (function < 10)
   {
     return EvaluateScalars(function, i.p);
