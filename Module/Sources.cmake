@@ -5,7 +5,10 @@
 
 set(filter_classes
   vtkAmbientCovarianceFilter
+  vtkAnalyticLineSource
   vtkAnalyticVolumeSource
+  vtkAnisotropicLineVoxelizer
+  vtkAnisotropicVoxelEvaluator
   vtkAnisotropyFilter
   vtkOpticsImageFilter
   vtkPrincipalCurvatureFilter
@@ -24,14 +27,22 @@ set(filter_sources
   CovarianceField
   CovarianceKernel
   CovarianceSampler
+  CylinderProjection
   GaussianFilter
+  HarmonicBasis
   ImageGrid
+  LineAccumulator
+  LineInput
+  LineLighting
+  LineVoxels
   LiteralSampling
   PrincipalCurvature
   RangeSearch
   SamplePattern
   ScalarSource
-  SobelStencil)
+  SobelStencil
+  SphereDirections
+  VoxelEvaluation)
 set(rendering_sources
   DefaultOptics
   FrameProvider

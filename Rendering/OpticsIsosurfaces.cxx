@@ -62,8 +62,8 @@ bool vtkOpticsVolumeProperty::HasIsosurface(int index)
   const bool isThere = index >= 0 && index < this->GetNumberOfIsosurfaces();
   if (!isThere)
   {
-    vtkWarningMacro(<< "There is no isosurface " << index << ": there are "
-                    << this->GetNumberOfIsosurfaces() << ", counted from 0.");
+    vtkWarningMacro(<< "There is no isosurface " << index << ": there are " << this->GetNumberOfIsosurfaces()
+                    << ", counted from 0.");
   }
   return isThere;
 }

@@ -19,8 +19,8 @@ const double HalfTurn = TwoPi / 2.0;
 // Half of the integral over the side that is seen and lit, [Schussman2004] eq. 4, the limits by the signs
 // of n.V and n.L alone.
 template <class Radiance>
-double MeanOverSurface(const glm::dvec3& tangent, const glm::dvec3& viewer, const glm::dvec3& light,
-  const Radiance& radiance)
+double MeanOverSurface(
+  const glm::dvec3& tangent, const glm::dvec3& viewer, const glm::dvec3& light, const Radiance& radiance)
 {
   const optics::CylinderView view = optics::ViewOfCylinder(tangent, viewer);
   const double lit = std::atan2(glm::dot(light, view.binormal), glm::dot(light, view.normal));
@@ -36,9 +36,9 @@ double MeanOverSurface(const glm::dvec3& tangent, const glm::dvec3& viewer, cons
   {
     const auto normalAt = [&](double t) { return view.normal * std::cos(t) + view.binormal * std::sin(t); };
     const bool isLit = glm::dot(normalAt((edges[i] + edges[i + 1]) / 2.0), light) > 0.0;
-    sum += isLit ? Integrate([&](double t) { return radiance(normalAt(t)) * std::cos(t); }, edges[i],
-                     edges[i + 1])
-                 : 0.0;
+    sum += isLit
+      ? Integrate([&](double t) { return radiance(normalAt(t)) * std::cos(t); }, edges[i], edges[i + 1])
+      : 0.0;
   }
   return sum / 2.0;
 }
@@ -74,7 +74,8 @@ void CheckHeadlight(Check& check)
   {
     const glm::dvec3 tangent(0.0, 0.0, 1.0), viewer = Direction(angle, 0.4);
     const optics::CylinderView view = optics::ViewOfCylinder(tangent, viewer);
-    check.Near("diffuse", optics::DiffuseOfCylinder(view, viewer), HalfTurn / 4.0 * std::sin(angle), Rounding);
+    check.Near(
+      "diffuse", optics::DiffuseOfCylinder(view, viewer), HalfTurn / 4.0 * std::sin(angle), Rounding);
     for (double exponent : { 1.0, 30.0, 1000.0 })
     {
       check.Near("specular", optics::SpecularOfCylinder(view, viewer, viewer, exponent),
@@ -104,7 +105,8 @@ void CheckExtremes(Check& check)
     }
   }
   // half vector along T: V and L mirrored at T
-  const glm::dvec3 mirrored = 2.0 * tangent * glm::dot(tangent, glm::dvec3(0.0, 0.0, 1.0)) - glm::dvec3(0.0, 0.0, 1.0);
+  const glm::dvec3 mirrored =
+    2.0 * tangent * glm::dot(tangent, glm::dvec3(0.0, 0.0, 1.0)) - glm::dvec3(0.0, 0.0, 1.0);
   const optics::CylinderView view = optics::ViewOfCylinder(tangent, mirrored);
   check.Near("half vector along the tangent",
     optics::SpecularOfCylinder(view, glm::dvec3(0.0, 0.0, 1.0), mirrored, 10.0), 0.0, Rounding);

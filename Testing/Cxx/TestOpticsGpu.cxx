@@ -44,8 +44,8 @@ std::string FragmentShader()
 {
   const std::string optics = VOLUMEOPTICS_OPTICS_FOLDER "/";
   std::string text = "//VTK::System::Dec\n//VTK::Output::Dec\n";
-  for (const char* file : { "PhaseFunction", "Opacity", "AnisotropyFrame", "Reflectance", "SphericalHarmonics",
-         "CylinderLighting" })
+  for (const char* file : { "PhaseFunction", "Opacity", "AnisotropyFrame", "Reflectance",
+         "SphericalHarmonics", "CylinderLighting" })
   {
     text += ReadText(optics + file + ".glsl");
   }

@@ -28,8 +28,7 @@ void CheckClosedCases(Check& check)
     check.Near("Y11", optics::SphericalHarmonic(1, 1, d), -std::sqrt(0.75 / pi) * d.x, Rounding);
     check.Near("Y1-1", optics::SphericalHarmonic(1, -1, d), -std::sqrt(0.75 / pi) * d.y, Rounding);
     check.Near("Y2-2", optics::SphericalHarmonic(2, -2, d), std::sqrt(3.75 / pi) * d.x * d.y, Rounding);
-    check.Near(
-      "Y40", optics::SphericalHarmonic(4, 0, d),
+    check.Near("Y40", optics::SphericalHarmonic(4, 0, d),
       3.0 / 16.0 / std::sqrt(pi) * (35.0 * std::pow(d.z, 4.0) - 30.0 * d.z * d.z + 3.0), Rounding);
   }
 }
@@ -98,10 +97,8 @@ void CheckMoments(Check& check)
     for (int l = 0; l <= LargestOrder; ++l)
     {
       const double quadrature = Integrate(
-        [&](double t) {
-          return std::pow(std::sin(t), power + 1.0) * std::legendre(l, std::cos(t));
-        },
-        0.0, TwoPi / 2.0);
+        [&](double t) { return std::pow(std::sin(t), power + 1.0) * std::legendre(l, std::cos(t)); }, 0.0,
+        TwoPi / 2.0);
       // 1e-13: the first term that Wallis' series leaves out
       check.Near("moment, l = " + std::to_string(l) + ", power = " + std::to_string(power),
         optics::SineMoment(l, power), quadrature, 1e-12);
