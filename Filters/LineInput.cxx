@@ -113,7 +113,7 @@ glm::dvec3 LineInput::PointAt(long long point) const
 
 glm::dvec3 LineInput::ColorAt(long long tuple) const
 {
-  const unsigned char* color = this->Colors->GetPointer(3 * tuple);
+  const unsigned char* color = this->Colors->GetPointer(this->Colors->GetNumberOfComponents() * tuple);
   return glm::dvec3(color[0], color[1], color[2]) / 255.0;
 }
 

@@ -155,6 +155,7 @@ using Line = std::vector<glm::dvec3>;
 struct Messages
 {
   explicit Messages(vtkObject* object)
+    : Object(object)
   {
     this->Command->SetClientData(&this->Texts);
     this->Command->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
@@ -163,10 +164,14 @@ struct Messages
     object->AddObserver(vtkCommand::WarningEvent, this->Command);
     object->AddObserver(vtkCommand::ErrorEvent, this->Command);
   }
+  ~Messages() { this->Object->RemoveObserver(this->Command); }
+  Messages(const Messages&) = delete;
+  void operator=(const Messages&) = delete;
   bool Has(const std::string& text) const
   {
     return this->Texts.size() == 1 && this->Texts[0].find(text) != std::string::npos;
   }
+  vtkObject* Object;
   vtkNew<vtkCallbackCommand> Command;
   std::vector<std::string> Texts;
 };
