@@ -12,6 +12,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,6 +20,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -111,6 +113,23 @@ public:
         this->Basis.Evaluate(this->Eye.From(grid.CenterOf(voxel)), basis);
       }
       this->EvaluateVoxel(place, next, end, basis, this->At(voxel));
+    }
+  }
+
+  // The most opaque voxel becomes opaque.
+  void MarkOpacityRange()
+  {
+    const glm::ivec3 size = this->Voxels.Grid.Dimensions;
+    const long long count = static_cast<long long>(size.x) * size.y * size.z;
+    Scalar* most = this->Scalars;
+    for (long long i = 1; i < count; ++i)
+    {
+      Scalar* rgba = this->Scalars + 4 * i;
+      most = rgba[3] > most[3] ? rgba : most;
+    }
+    if (most[3] > 0)
+    {
+      most[3] = static_cast<Scalar>(this->Largest);
     }
   }
 
@@ -221,12 +240,17 @@ private:
 
 template <class Scalar>
 bool RunEvaluation(Evaluation<Scalar> evaluation, const std::vector<volumeoptics::LineScale>& scales,
-  vtkPiecewiseFunction* function, long long bricks, volumeoptics::Batches& batches)
+  vtkPiecewiseFunction* function, bool marksRange, long long bricks, volumeoptics::Batches& batches)
 {
   evaluation.Scales = scales;
   evaluation.Function = function;
-  return batches.Run(bricks, 0.7, [&](long long brick) { evaluation.EvaluateBrick(brick); }) &&
+  const bool isDone = batches.Run(bricks, 0.7, [&](long long brick) { evaluation.EvaluateBrick(brick); }) &&
     batches.Run(bricks, 1.0, [&](long long brick) { evaluation.SpreadBrick(brick); });
+  if (isDone && marksRange)
+  {
+    evaluation.MarkOpacityRange();
+  }
+  return isDone;
 }
 }
 
@@ -345,25 +369,35 @@ double vtkAnisotropicVoxelEvaluator::GetScalarOpacityUnitDistance(vtkImageData* 
 }
 
 //------------------------------------------------------------------------------
-void vtkAnisotropicVoxelEvaluator::SetUpProperty(vtkVolumeProperty* property)
+void vtkAnisotropicVoxelEvaluator::SetUpVolume(vtkVolume* volume)
 {
-  if (this->GetNumberOfInputConnections(0) == 0 || !property)
+  if (this->GetNumberOfInputConnections(0) == 0 || !volume)
   {
-    vtkErrorMacro(
-      "There is no input or no property. Connect the voxels first, and give a vtkVolumeProperty.");
+    vtkErrorMacro("There is no input or no volume. Connect the voxels first, and give a vtkVolume.");
     return;
   }
-  this->GetInputAlgorithm(0, 0)->Update();
+  vtkAlgorithmOutput* input = this->GetInputConnection(0, 0);
+  input->GetProducer()->Update(input->GetIndex());
   const double distance =
     GetScalarOpacityUnitDistance(vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0)));
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
   opacity->AddPoint(LargestOf(this->OutputScalarType), 1.0);
+  vtkVolumeProperty* property = volume->GetProperty();
   property->IndependentComponentsOff();
   property->SetInterpolationTypeToLinear();
   property->ShadeOff();
   property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(distance > 0.0 ? distance : 1.0);
+  for (int component = 0; component < 4; ++component) // VTK takes that of the opacity's component
+  {
+    property->SetScalarOpacityUnitDistance(component, distance > 0.0 ? distance : 1.0);
+  }
+  auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
+  if (mapper)
+  {
+    mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
+  }
+  this->SetMarkOpacityRange(mapper == nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -443,7 +477,7 @@ int vtkAnisotropicVoxelEvaluator::RequestData(
   volumeoptics::Batches batches(this);
   const auto run = [&](auto zero) {
     return RunEvaluation(Evaluation<decltype(zero)>(voxels, view, perVoxel, output), scales,
-      this->OpacityFunction, voxels.Grid.NumberOfBricks(), batches);
+      this->OpacityFunction, this->MarkOpacityRange, voxels.Grid.NumberOfBricks(), batches);
   };
   const bool isDone = this->OutputScalarType == VTK_UNSIGNED_CHAR ? run(static_cast<unsigned char>(0))
     : this->OutputScalarType == VTK_UNSIGNED_SHORT                ? run(static_cast<unsigned short>(0))
@@ -462,6 +496,7 @@ void vtkAnisotropicVoxelEvaluator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Camera: " << this->Camera.Get() << "\n";
   os << indent << "ViewDirections: " << this->GetViewDirectionsAsString() << "\n";
   os << indent << "OpacityFunction: " << this->OpacityFunction.Get() << "\n";
+  os << indent << "MarkOpacityRange: " << this->MarkOpacityRange << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   for (const auto& scale : this->RadiusScales)
   {

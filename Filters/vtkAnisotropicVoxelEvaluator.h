@@ -10,8 +10,11 @@
  * spread into empty voxels beside occupied ones, so that a mapper's interpolation makes no dark rim.
  *
  * With the output, a mapper needs a property with dependent components and a ScalarOpacityUnitDistance of
- * 4 V/S, V and S the volume and surface of a voxel: then a ray is stopped in a voxel by the
- * share of its mean cross section that lines cover. SetUpProperty() sets this.
+ * 4 V/S, V and S the volume and surface of a voxel, for component 3, the opacity's: then a ray is
+ * stopped in a voxel by the share of its mean cross section that lines cover. VTK's GPU mapper builds
+ * its table of opacities over the range that occurs in the data and looks into it with values that
+ * are a share of the type's range: opacities are wrong unless the two are the same. Either the mapper's
+ * ScalarOpacityRangeType is NATIVE, or MarkOpacityRange makes them the same. SetUpVolume() sets all this.
  *
  * An aligned bundle has no visible area end-on, but a truncated series leaves some. The optical depth
  * is therefore kept within the bounds that degrees 0 and 2 imply; colour is kept within the range of the
@@ -32,7 +35,7 @@
 
 class vtkCamera;
 class vtkPiecewiseFunction;
-class vtkVolumeProperty;
+class vtkVolume;
 
 class VTKVOLUMEOPTICS_EXPORT vtkAnisotropicVoxelEvaluator : public vtkImageAlgorithm
 {
@@ -106,12 +109,23 @@ public:
    */
   static double GetScalarOpacityUnitDistance(vtkImageData* voxels);
 
+  ///@{
   /**
-   * Sets what a property needs to draw the output: dependent components, linear interpolation, no
-   * shading, opacity as it is, and the ScalarOpacityUnitDistance of the input, which is brought up
-   * to date.
+   * Makes the most opaque voxel opaque, so that the range of opacities in the data is the type's, for
+   * mappers whose ScalarOpacityRangeType cannot be set, as vtkSmartVolumeMapper. Default on.
    */
-  void SetUpProperty(vtkVolumeProperty* property);
+  vtkSetMacro(MarkOpacityRange, bool);
+  vtkGetMacro(MarkOpacityRange, bool);
+  vtkBooleanMacro(MarkOpacityRange, bool);
+  ///@}
+
+  /**
+   * Sets what a volume needs to draw the output. Its property: dependent components, linear
+   * interpolation, no shading, opacity as it is, and the ScalarOpacityUnitDistance of the input, which is
+   * brought up to date. Its mapper, set before: the native range where it is a GPU mapper, and then
+   * MarkOpacityRange off, otherwise on. Call again for other voxels.
+   */
+  void SetUpVolume(vtkVolume* volume);
 
   vtkMTimeType GetMTime() override;
 
@@ -133,6 +147,7 @@ private:
   int ViewDirections = PerVoxel;
   std::map<int, double> RadiusScales, OpacityScales;
   vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
+  bool MarkOpacityRange = true;
   int OutputScalarType = VTK_UNSIGNED_CHAR;
 };
 

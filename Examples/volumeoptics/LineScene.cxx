@@ -14,7 +14,6 @@
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeCollection.h>
-#include <vtkVolumeProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -101,8 +100,7 @@ LineScene::LineScene(vtkImageData* voxels, const PictureSettings& picture, Windo
   vtkRenderer* renderer = this->Scene->GetRenderer();
   this->Evaluator->SetCamera(renderer->GetActiveCamera());
   this->Scene->GetMapper()->SetInputConnection(this->Evaluator->GetOutputPort());
-  auto* actor = vtkVolume::SafeDownCast(renderer->GetVolumes()->GetItemAsObject(0));
-  this->Evaluator->SetUpProperty(actor->GetProperty());
+  this->Evaluator->SetUpVolume(vtkVolume::SafeDownCast(renderer->GetVolumes()->GetItemAsObject(0)));
 }
 
 double LineScene::Render()

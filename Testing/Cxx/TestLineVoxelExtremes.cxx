@@ -73,7 +73,7 @@ void CheckEmpty(Check& check)
     evaluator->Update();
     check.Near("voxels", lines::CountOf(voxelizer->GetOutput(), "LineType0_Places"), 0.0, 0.0);
     check.Near("points", evaluator->GetOutput()->GetNumberOfPoints(), 729.0, 0.0);
-    check.Near("opacity", evaluator->GetOutput()->GetScalarRange()[1], 0.0, 0.0);
+    check.Near("opacity", evaluator->GetOutput()->GetPointData()->GetScalars()->GetRange(3)[1], 0.0, 0.0);
   }
 }
 
