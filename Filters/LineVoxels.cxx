@@ -175,7 +175,7 @@ std::string LineVoxels::ReadType(vtkImageData* image, int type)
 {
   LineCoefficients set;
   set.Type = type;
-  const std::string broken = "the arrays of line type " + std::to_string(type) + " do not fit each other";
+  std::string broken = "the arrays of line type " + std::to_string(type) + " do not fit each other";
   const vtkIdType bricks = this->NumberOfOccupiedBricks;
   set.BrickStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "BrickStarts"), VTK_TYPE_INT64, bricks + 1);
   const vtkIdType voxels = set.BrickStarts ? set.BrickStarts[bricks] : 0;

@@ -69,6 +69,7 @@ void SetUpVoxelizer(const LineSettings& settings, const LightSettings& light, co
   voxelizer->SetMaximumOrder(settings.Order);
   voxelizer->SetRadius(settings.Radius);
   voxelizer->SetCoefficientTolerance(settings.Tolerance);
+  voxelizer->SetExactProduct(settings.ExactProduct);
   voxelizer->SetColorArray(settings.ColorArray.c_str());
   voxelizer->SetRadiusArray(settings.RadiusArray.c_str());
   vtkNew<vtkProperty> material;

@@ -67,6 +67,11 @@ void AddLines(CLI::App& trade)
   command->add_option("--size", options->Size, "Width and height of the picture")
     ->check(CLI::Range(16, 1024))
     ->capture_default_str();
+  command->add_option("--radius", options->Radius, "Radius of the spirals, which fill [-1, 1]^3")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command->add_option("--knob", options->Knob, "Measure one setting alone")
+    ->check(CLI::IsMember({ "grid", "order", "tolerance", "projection", "opacity", "view directions" }));
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
   command->callback([options] { TradeLines(*options); });
 }

@@ -30,7 +30,6 @@
 namespace
 {
 const int Supersampling = 10;
-const double Radius = 0.002; // a quarter of a voxel of 256 on [-1, 1]
 
 // Beside the knob that is turned.
 struct Setting
@@ -41,39 +40,41 @@ struct Setting
   bool PerBlock = false;
 };
 
-LineSettings Spirals()
+LineSettings Spirals(double radius)
 {
   LineSettings lines;
-  lines.Radius = Radius;
+  lines.Radius = radius;
   lines.Color[1] = 0.35;
   lines.Color[2] = 0.2;
   return lines;
 }
 
-std::vector<Setting> Settings()
+std::vector<Setting> Settings(double radius)
 {
   std::vector<Setting> settings;
   for (int grid : { 64, 128, 192, 256, 384 })
   {
-    settings.push_back({ "grid", std::to_string(grid), Spirals() });
+    settings.push_back({ "grid", std::to_string(grid), Spirals(radius) });
     settings.back().Lines.Grid = grid;
   }
   for (int order : { 0, 2, 4, 8, 12 })
   {
-    settings.push_back({ "order", std::to_string(order), Spirals() });
+    settings.push_back({ "order", std::to_string(order), Spirals(radius) });
     settings.back().Lines.Order = order;
   }
   for (const char* tolerance : { "0", "1e-5", "1e-4", "1e-3", "1e-2" })
   {
-    settings.push_back({ "tolerance", tolerance, Spirals() });
+    settings.push_back({ "tolerance", tolerance, Spirals(radius) });
     settings.back().Lines.Tolerance = std::stod(tolerance);
   }
   for (int directions : { 0, 128, 512 })
   {
-    settings.push_back(
-      { "projection", directions == 0 ? "analytic" : std::to_string(directions), Spirals(), directions });
+    settings.push_back({ "projection", directions == 0 ? "analytic" : std::to_string(directions),
+      Spirals(radius), directions });
   }
-  settings.push_back({ "view directions", "per block", Spirals(), 0, true });
+  settings.push_back({ "opacity", "exact product", Spirals(radius) });
+  settings.back().Lines.ExactProduct = true;
+  settings.push_back({ "view directions", "per block", Spirals(radius), 0, true });
   return settings;
 }
 
@@ -166,12 +167,12 @@ PictureSettings MakePicture(int size)
 
 // The scene of the voxels with tubes in the volume's place. VTK's lobe is Phong's: a fourth of Blinn's
 // exponent is as wide.
-Picture DrawTubes(vtkPolyData* lines, LineScene& scene, int size)
+Picture DrawTubes(vtkPolyData* lines, LineScene& scene, int size, double radius)
 {
-  const LineSettings settings = Spirals();
+  const LineSettings settings = Spirals(radius);
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(lines);
-  tubes->SetRadius(Radius);
+  tubes->SetRadius(radius);
   tubes->SetNumberOfSides(8);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(tubes->GetOutputPort());
@@ -239,12 +240,12 @@ void TradeLines(const LinesTradeOptions& options)
   source->SetNumberOfSegments(options.Segments);
   source->Update();
   vtkPolyData* lines = source->GetOutput();
-  Setting first{ "", "", Spirals() };
+  Setting first{ "", "", Spirals(options.Radius) };
   Picture truth;
   {
     const Progress tubes("Drawing tubes at 10 x 10 the resolution");
     LineScene scene(Voxelize(lines, first), MakePicture(options.Size), OffScreenWindow(options.Headless));
-    truth = DrawTubes(lines, scene, options.Size);
+    truth = DrawTubes(lines, scene, options.Size, options.Radius);
   }
   WritePicture(truth, options.Folder + "/lines-tubes.png");
   const Picture smallTruth = Reduced(truth, 2);
@@ -253,8 +254,12 @@ void TradeLines(const LinesTradeOptions& options)
   Plot plot{ "Spirals against tubes", "MiB", "PSNR of 2 x 2, dB", {} };
   plot.LogarithmicY = false;
   Progress measuring("Measuring");
-  for (const Setting& setting : Settings())
+  for (const Setting& setting : Settings(options.Radius))
   {
+    if (!options.Knob.empty() && setting.Knob != options.Knob)
+    {
+      continue;
+    }
     const Result result = Measure(lines, setting, options);
     const double raw = SignalToNoise(truth, result.Frame);
     const double reduced = SignalToNoise(smallTruth, Reduced(result.Frame, 2));

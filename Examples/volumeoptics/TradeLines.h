@@ -14,6 +14,8 @@ struct LinesTradeOptions
   std::string Folder = "trade";
   int Segments = 100000;
   int Size = 256;
+  double Radius = 0.001; // an eighth of a voxel of 256 on [-1, 1]
+  std::string Knob;      // the only one to measure; empty: all
   bool Headless = false;
 };
 
