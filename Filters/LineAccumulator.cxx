@@ -128,8 +128,7 @@ void LineAccumulator::Partition(std::vector<Portion>& portions)
     this->Faults.Add(portion.Faults);
     for (const auto& [type, colors] : portion.Colors)
     {
-      this->Types[type].Colors.Add(colors.Least);
-      this->Types[type].Colors.Add(colors.Largest);
+      this->Types[type].Colors.Add(colors);
     }
     for (unsigned int brick : portion.Bricks)
     {

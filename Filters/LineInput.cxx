@@ -167,20 +167,17 @@ std::set<int> LineInput::GetTypes() const
   return types;
 }
 
-LineBounds LineInput::GetBounds() const
+LineBounds LineInput::GetBounds(long long first, long long last) const
 {
   LineBounds bounds;
-  for (long long cell = 0; cell + 1 < static_cast<long long>(this->Starts.size()); ++cell)
-  {
-    this->ForEachSegment(this->Starts[cell], this->Starts[cell + 1], [&](const LineSegment& segment) {
-      const glm::dvec3 sum = segment.Begin + segment.End;
-      if (std::isfinite(sum.x + sum.y + sum.z))
-      {
-        bounds.Add(segment.Begin);
-        bounds.Add(segment.End);
-      }
-    });
-  }
+  this->ForEachSegment(first, last, [&](const LineSegment& segment) {
+    const glm::dvec3 sum = segment.Begin + segment.End;
+    if (std::isfinite(sum.x + sum.y + sum.z))
+    {
+      bounds.Add(segment.Begin);
+      bounds.Add(segment.End);
+    }
+  });
   return bounds;
 }
 }

@@ -46,6 +46,11 @@ struct LineBounds
     this->Least = glm::min(this->Least, point);
     this->Largest = glm::max(this->Largest, point);
   }
+  void Add(const LineBounds& other)
+  {
+    this->Least = glm::min(this->Least, other.Least);
+    this->Largest = glm::max(this->Largest, other.Largest);
+  }
 };
 
 class LineInput
@@ -73,8 +78,8 @@ public:
   }
   // Types in [0, 255] that occur.
   std::set<int> GetTypes() const;
-  // Of the lines' finite points.
-  LineBounds GetBounds() const;
+  // Of the finite points of the segments from first to last.
+  LineBounds GetBounds(long long first, long long last) const;
 
 private:
   struct Cursor

@@ -15,6 +15,7 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace volumeoptics
 {
@@ -87,17 +88,19 @@ void WriteType(const LineTypeBricks& bricks, vtkImageData* image)
   std::copy(bricks.ColorRange.begin(), bricks.ColorRange.end(), range);
 }
 
-void WriteLights(const std::vector<LineLight>& lights, vtkImageData* image)
+// Ten of each light.
+std::vector<double> NumbersOf(const std::vector<LineLight>& lights)
 {
-  auto* numbers = AddArray<vtkDoubleArray>(image, "LineLights", lights.size(), 10)->GetPointer(0);
+  std::vector<double> numbers;
   for (const LineLight& light : lights)
   {
-    *numbers++ = light.Kind;
+    numbers.push_back(light.Kind);
     for (const glm::dvec3& vector : { light.Direction, light.Diffuse, light.Specular })
     {
-      numbers = std::copy(&vector.x, &vector.x + 3, numbers);
+      numbers.insert(numbers.end(), &vector.x, &vector.x + 3);
     }
   }
+  return numbers;
 }
 }
 
@@ -126,7 +129,19 @@ void WriteLineVoxels(const LineGrid& grid, int maximumOrder, const std::vector<i
     WriteType(type, image);
   }
   AddIntegers(image, "LineTypes", numbers);
-  WriteLights(lights, image);
+  const std::vector<double> values = NumbersOf(lights);
+  std::copy(values.begin(), values.end(),
+    AddArray<vtkDoubleArray>(image, "LineLights", lights.size(), 10)->GetPointer(0));
+}
+
+bool HasLights(vtkImageData* image, const std::vector<LineLight>& lights)
+{
+  const std::vector<double> values = NumbersOf(lights);
+  vtkDataArray* array = image->GetFieldData()->GetArray("LineLights");
+  const double* stored = Pointer<double>(image, "LineLights", VTK_DOUBLE, values.size());
+  const auto isNear = [](double a, double b) { return std::abs(a - b) < 1e-6; };
+  return stored && array->GetNumberOfValues() == static_cast<vtkIdType>(values.size()) &&
+    std::equal(values.begin(), values.end(), stored, isNear);
 }
 
 LineVoxels::LineVoxels(vtkImageData* image, std::string& error)

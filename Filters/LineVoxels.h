@@ -54,6 +54,9 @@ private:
   long long NumberOfOccupiedBricks = 0;
 };
 
+// Whether the lights are those that the voxels were made with.
+bool HasLights(vtkImageData* image, const std::vector<LineLight>& lights);
+
 // What a brick of one line type holds, its coefficients compressed.
 struct LineBrick
 {

@@ -343,6 +343,32 @@ bool vtkAnisotropicLineVoxelizer::AddTypes(const std::set<int>& types)
 }
 
 //------------------------------------------------------------------------------
+double vtkAnisotropicLineVoxelizer::ProgressAfterPiece(double afterAll) const
+{
+  const double progress = this->Current->Batches.GetProgress();
+  return progress + (afterAll - progress) / (this->NumberOfPieces - this->Current->Piece);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicLineVoxelizer::AddBounds(vtkPolyData* lines)
+{
+  const long long segmentsOfUnit = 65536;
+  const volumeoptics::LineInput input(lines, {});
+  const long long count = input.GetNumberOfSegments();
+  std::vector<volumeoptics::LineBounds> bounds((count + segmentsOfUnit - 1) / segmentsOfUnit);
+  const bool isDone = this->Current->Batches.Run(
+    static_cast<long long>(bounds.size()), this->ProgressAfterPiece(0.1), [&](long long unit) {
+      const long long first = unit * segmentsOfUnit;
+      bounds[unit] = input.GetBounds(first, std::min(first + segmentsOfUnit, count));
+    });
+  for (const volumeoptics::LineBounds& part : bounds)
+  {
+    this->Current->Bounds.Add(part);
+  }
+  return isDone;
+}
+
+//------------------------------------------------------------------------------
 bool vtkAnisotropicLineVoxelizer::AddPiece(vtkInformationVector** inputs)
 {
   Run& run = *this->Current;
@@ -354,11 +380,9 @@ bool vtkAnisotropicLineVoxelizer::AddPiece(vtkInformationVector** inputs)
   arrays.LookupTable = this->LookupTable;
   if (run.LooksForBounds)
   {
-    const volumeoptics::LineBounds bounds = volumeoptics::LineInput(lines, {}).GetBounds();
-    if (!bounds.IsEmpty())
+    if (!this->AddBounds(lines))
     {
-      run.Bounds.Add(bounds.Least);
-      run.Bounds.Add(bounds.Largest);
+      return false;
     }
     if (this->NumberOfPieces > 1)
     {
@@ -374,8 +398,7 @@ bool vtkAnisotropicLineVoxelizer::AddPiece(vtkInformationVector** inputs)
                                              << " of points or cells. Name one that they have, or none.");
     return false;
   }
-  const double end = 0.9 * (run.Piece + 1.0) / this->NumberOfPieces;
-  return this->AddTypes(input.GetTypes()) && run.Sums->Add(input, run.Batches, end);
+  return this->AddTypes(input.GetTypes()) && run.Sums->Add(input, run.Batches, this->ProgressAfterPiece(0.9));
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,7 @@
 #include <string> // for names of arrays
 
 class vtkLightCollection;
+class vtkPolyData;
 class vtkProperty;
 class vtkScalarsToColors;
 
@@ -246,6 +247,8 @@ private:
   void SetName(std::string& array, const char* name);
   void StartRun(vtkInformation* input);
   bool AddPiece(vtkInformationVector** inputs);
+  bool AddBounds(vtkPolyData* lines);
+  double ProgressAfterPiece(double afterAll) const;
   bool AddTypes(const std::set<int>& types);
   void StartSums();
   void Write(vtkImageData* output);

@@ -4,10 +4,9 @@
 #include "vtkAnisotropicVoxelEvaluator.h"
 
 #include "Batches.h"
-#include "HarmonicBasis.h"
 #include "LineVoxels.h"
 #include "ParameterRange.h"
-#include "VoxelEvaluation.h"
+#include "VoxelImage.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
@@ -24,231 +23,27 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkAnisotropicVoxelEvaluator);
 
-using volumeoptics::LineGrid;
 using volumeoptics::LineVoxels;
 
 namespace
 {
 const char* const ViewDirectionsNames[] = { "PerVoxel", "PerBlock" };
 
-double LargestOf(int scalarType)
-{
-  return scalarType == VTK_UNSIGNED_CHAR ? 255.0 : scalarType == VTK_UNSIGNED_SHORT ? 65535.0 : 1.0;
-}
-
-class View
-{
-public:
-  explicit View(vtkCamera* camera)
-    : IsParallel(camera->GetParallelProjection())
-  {
-    camera->GetPosition(&this->Position.x);
-    double direction[3];
-    camera->GetDirectionOfProjection(direction);
-    this->Direction = -glm::dvec3(direction[0], direction[1], direction[2]);
-  }
-
-  glm::dvec3 From(const glm::dvec3& point) const
-  {
-    const glm::dvec3 way = this->Position - point;
-    const double length = glm::length(way);
-    return this->IsParallel || !(length > 0.0) ? this->Direction : way / length;
-  }
-
-private:
-  bool IsParallel;
-  glm::dvec3 Position, Direction;
-};
-
-// What an evaluation needs, and its result.
 template <class Scalar>
-class Evaluation
-{
-public:
-  Evaluation(const LineVoxels& voxels, const View& view, bool perVoxel, vtkImageData* output)
-    : Voxels(voxels)
-    , Basis(voxels.MaximumOrder, false)
-    , Eye(view)
-    , PerVoxel(perVoxel)
-    , Largest(LargestOf(output->GetScalarType()))
-    , Scalars(static_cast<Scalar*>(output->GetScalarPointer()))
-  {
-  }
-
-  std::vector<volumeoptics::LineScale> Scales;
-  vtkPiecewiseFunction* Function = nullptr;
-
-  void EvaluateBrick(long long brick)
-  {
-    const int index = this->Voxels.BrickIndices[brick];
-    const LineGrid& grid = this->Voxels.Grid;
-    if (index < 0)
-    {
-      return;
-    }
-    double basis[volumeoptics::HarmonicBasis::LargestCount];
-    const glm::dvec3 middle =
-      grid.CenterOf(grid.FirstVoxelOf(brick)) + 0.5 * (glm::dvec3(grid.Brick) - 1.0) * grid.Voxel;
-    this->Basis.Evaluate(this->Eye.From(middle), basis);
-    std::vector<vtkTypeInt64> next, end;
-    for (const volumeoptics::LineCoefficients& set : this->Voxels.Types)
-    {
-      next.push_back(set.BrickStarts[index]);
-      end.push_back(set.BrickStarts[index + 1]);
-    }
-    for (int place = 0; place < grid.VoxelsOfBrick(); ++place)
-    {
-      const glm::ivec3 voxel = grid.VoxelAt(brick, place);
-      if (glm::any(glm::greaterThanEqual(voxel, grid.Dimensions)))
-      {
-        continue;
-      }
-      if (this->PerVoxel)
-      {
-        this->Basis.Evaluate(this->Eye.From(grid.CenterOf(voxel)), basis);
-      }
-      this->EvaluateVoxel(place, next, end, basis, this->At(voxel));
-    }
-  }
-
-  // The most opaque voxel becomes opaque.
-  void MarkOpacityRange()
-  {
-    const glm::ivec3 size = this->Voxels.Grid.Dimensions;
-    const long long count = static_cast<long long>(size.x) * size.y * size.z;
-    Scalar* most = this->Scalars;
-    for (long long i = 1; i < count; ++i)
-    {
-      Scalar* rgba = this->Scalars + 4 * i;
-      most = rgba[3] > most[3] ? rgba : most;
-    }
-    if (most[3] > 0)
-    {
-      most[3] = static_cast<Scalar>(this->Largest);
-    }
-  }
-
-  // Gives the empty voxels of the brick the mean colour of their neighbours, weighted by opacity.
-  void SpreadBrick(long long brick)
-  {
-    const LineGrid& grid = this->Voxels.Grid;
-    for (int place = 0; this->HasOccupiedAround(brick) && place < grid.VoxelsOfBrick(); ++place)
-    {
-      const glm::ivec3 voxel = grid.VoxelAt(brick, place);
-      if (glm::all(glm::lessThan(voxel, grid.Dimensions)) && this->At(voxel)[3] == 0)
-      {
-        this->SpreadInto(voxel);
-      }
-    }
-  }
-
-private:
-  Scalar* At(const glm::ivec3& voxel) const
-  {
-    const glm::ivec3 size = this->Voxels.Grid.Dimensions;
-    return this->Scalars +
-      4 * (voxel.x + static_cast<long long>(size.x) * (voxel.y + static_cast<long long>(size.y) * voxel.z));
-  }
-
-  Scalar ToScalar(double value) const
-  {
-    const double scaled = std::clamp(value, 0.0, 1.0) * this->Largest;
-    return static_cast<Scalar>(this->Largest > 1.0 ? std::round(scaled) : scaled);
-  }
-
-  void EvaluateVoxel(int place, std::vector<vtkTypeInt64>& next, const std::vector<vtkTypeInt64>& end,
-    const double* basis, Scalar* rgba) const
-  {
-    glm::dvec3 color(0.0);
-    double depth = 0.0;
-    for (std::size_t t = 0; t < next.size(); ++t)
-    {
-      const volumeoptics::LineCoefficients& set = this->Voxels.Types[t];
-      if (next[t] < end[t] && set.Places[next[t]] == place)
-      {
-        const auto part = volumeoptics::EvaluateVoxel(set, next[t]++, basis, this->Scales[t]);
-        color += part.Depth * part.Color;
-        depth += part.Depth;
-      }
-    }
-    if (depth > 0.0)
-    {
-      const double opacity = 1.0 - std::exp(-depth);
-      for (int c = 0; c < 3; ++c)
-      {
-        rgba[c] = this->ToScalar(color[c] / depth);
-      }
-      rgba[3] = this->ToScalar(this->Function ? this->Function->GetValue(opacity) : opacity);
-    }
-  }
-
-  bool HasOccupiedAround(long long brick) const
-  {
-    bool isOccupied = false;
-    this->ForEachNeighbour(this->Voxels.Grid.FirstVoxelOf(brick) / this->Voxels.Grid.Brick,
-      this->Voxels.Grid.Bricks(), [&](const glm::ivec3& other) {
-        const long long number = this->Voxels.Grid.BrickOf(other * this->Voxels.Grid.Brick);
-        isOccupied = isOccupied || this->Voxels.BrickIndices[number] >= 0;
-      });
-    return isOccupied;
-  }
-
-  void SpreadInto(const glm::ivec3& voxel) const
-  {
-    glm::dvec3 sum(0.0);
-    double weight = 0.0;
-    this->ForEachNeighbour(voxel, this->Voxels.Grid.Dimensions, [&](const glm::ivec3& other) {
-      const Scalar* rgba = this->At(other);
-      const double opacity = rgba[3];
-      sum += opacity * glm::dvec3(rgba[0], rgba[1], rgba[2]);
-      weight += opacity;
-    });
-    for (int c = 0; c < 3 && weight > 0.0; ++c)
-    {
-      this->At(voxel)[c] = this->ToScalar(sum[c] / weight / this->Largest);
-    }
-  }
-
-  template <class Visit>
-  static void ForEachNeighbour(const glm::ivec3& place, const glm::ivec3& size, const Visit& visit)
-  {
-    const glm::ivec3 first = glm::max(place - 1, glm::ivec3(0)), last = glm::min(place + 1, size - 1);
-    for (int z = first.z; z <= last.z; ++z)
-    {
-      for (int y = first.y; y <= last.y; ++y)
-      {
-        for (int x = first.x; x <= last.x; ++x)
-        {
-          visit(glm::ivec3(x, y, z));
-        }
-      }
-    }
-  }
-
-  const LineVoxels& Voxels;
-  volumeoptics::HarmonicBasis Basis;
-  const View& Eye;
-  bool PerVoxel;
-  double Largest;
-  Scalar* Scalars;
-};
-
-template <class Scalar>
-bool RunEvaluation(Evaluation<Scalar> evaluation, const std::vector<volumeoptics::LineScale>& scales,
+bool RunEvaluation(volumeoptics::VoxelImage<Scalar> image, const std::vector<volumeoptics::LineScale>& scales,
   vtkPiecewiseFunction* function, bool marksRange, long long bricks, volumeoptics::Batches& batches)
 {
-  evaluation.Scales = scales;
-  evaluation.Function = function;
-  const bool isDone = batches.Run(bricks, 0.7, [&](long long brick) { evaluation.EvaluateBrick(brick); }) &&
-    batches.Run(bricks, 1.0, [&](long long brick) { evaluation.SpreadBrick(brick); });
+  image.Scales = scales;
+  image.Function = function;
+  const bool isDone = batches.Run(bricks, 0.7, [&](long long brick) { image.EvaluateBrick(brick); }) &&
+    batches.Run(bricks, 1.0, [&](long long brick) { image.SpreadBrick(brick); });
   if (isDone && marksRange)
   {
-    evaluation.MarkOpacityRange();
+    image.MarkOpacityRange();
   }
   return isDone;
 }
@@ -382,7 +177,7 @@ void vtkAnisotropicVoxelEvaluator::SetUpVolume(vtkVolume* volume)
     GetScalarOpacityUnitDistance(vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0)));
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(LargestOf(this->OutputScalarType), 1.0);
+  opacity->AddPoint(volumeoptics::LargestOfScalar(this->OutputScalarType), 1.0);
   vtkVolumeProperty* property = volume->GetProperty();
   property->IndependentComponentsOff();
   property->SetInterpolationTypeToLinear();
@@ -398,6 +193,23 @@ void vtkAnisotropicVoxelEvaluator::SetUpVolume(vtkVolume* volume)
     mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
   }
   this->SetMarkOpacityRange(mapper == nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicVoxelEvaluator::CheckLights(vtkLightCollection* lights)
+{
+  vtkAlgorithmOutput* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputConnection(0, 0) : nullptr;
+  auto* voxels = input ? vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0)) : nullptr;
+  const bool areEqual = !voxels || volumeoptics::HasLights(voxels, volumeoptics::ReadLights(lights));
+  if (!areEqual && !this->HasWarnedOfLights)
+  {
+    vtkWarningMacro(
+      "The lights are not those that the voxels were made with, which are drawn. Give these lights to "
+      "vtkAnisotropicLineVoxelizer by SetLights().");
+  }
+  this->HasWarnedOfLights = !areEqual;
+  return areEqual;
 }
 
 //------------------------------------------------------------------------------
@@ -472,11 +284,11 @@ int vtkAnisotropicVoxelEvaluator::RequestData(
   {
     scales.push_back({ this->GetRadiusScale(set.Type), this->GetOpacityScale(set.Type) });
   }
-  const View view(this->Camera);
+  const volumeoptics::ViewOfVoxels view(this->Camera);
   const bool perVoxel = this->ViewDirections == PerVoxel && !this->Camera->GetParallelProjection();
   volumeoptics::Batches batches(this);
   const auto run = [&](auto zero) {
-    return RunEvaluation(Evaluation<decltype(zero)>(voxels, view, perVoxel, output), scales,
+    return RunEvaluation(volumeoptics::VoxelImage<decltype(zero)>(voxels, view, perVoxel, output), scales,
       this->OpacityFunction, this->MarkOpacityRange, voxels.Grid.NumberOfBricks(), batches);
   };
   const bool isDone = this->OutputScalarType == VTK_UNSIGNED_CHAR ? run(static_cast<unsigned char>(0))

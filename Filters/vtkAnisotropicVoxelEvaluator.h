@@ -34,6 +34,7 @@
 #include <map> // for the scales
 
 class vtkCamera;
+class vtkLightCollection;
 class vtkPiecewiseFunction;
 class vtkVolume;
 
@@ -127,6 +128,12 @@ public:
    */
   void SetUpVolume(vtkVolume* volume);
 
+  /**
+   * Whether lights, for example a renderer's, are those that are baked into the voxels, as far as these are up to
+   * date; if not, warns, once until they are again.
+   */
+  bool CheckLights(vtkLightCollection* lights);
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -148,6 +155,7 @@ private:
   std::map<int, double> RadiusScales, OpacityScales;
   vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
   bool MarkOpacityRange = true;
+  bool HasWarnedOfLights = false;
   int OutputScalarType = VTK_UNSIGNED_CHAR;
 };
 

@@ -175,6 +175,29 @@ void CheckSettings(Check& check)
   check.That(messages.Has("[0, 12]") && voxelizer->GetMaximumOrder() == 12, "order 13 is refused");
 }
 
+void CheckBakedLights(Check& check)
+{
+  vtkNew<vtkLightCollection> lights;
+  const auto light = lines::SceneLight({ 1.0, 2.0, 3.0 });
+  lights->AddItem(light);
+  vtkNew<vtkAnisotropicLineVoxelizer> voxelizer;
+  voxelizer->SetSampleDimensions(2, 2, 2);
+  voxelizer->SetMaximumOrder(1);
+  voxelizer->SetInputData(lines::MakeLines(lines::RandomLines(2, 1)));
+  voxelizer->SetLights(lights);
+  voxelizer->Update();
+  vtkNew<vtkAnisotropicVoxelEvaluator> evaluator;
+  evaluator->SetInputConnection(voxelizer->GetOutputPort());
+  lines::Messages messages(evaluator);
+  check.That(evaluator->CheckLights(lights), "the baked lights");
+  light->SetIntensity(0.5);
+  check.That(!evaluator->CheckLights(lights) && !evaluator->CheckLights(lights), "another intensity");
+  check.That(!evaluator->CheckLights(nullptr), "a headlight");
+  check.That(messages.Has("SetLights()"), "is said once");
+  voxelizer->Update();
+  check.That(evaluator->CheckLights(lights), "the voxelizer follows its lights");
+}
+
 void CheckAbortAndProgress(Check& check)
 {
   vtkNew<vtkAnalyticLineSource> source;
@@ -228,6 +251,7 @@ int TestLineVoxelExtremes(int, char*[])
   CheckManyInOneVoxel(check);
   CheckRadii(check);
   CheckSettings(check);
+  CheckBakedLights(check);
   CheckAbortAndProgress(check);
   return check.ExitCode();
 }
