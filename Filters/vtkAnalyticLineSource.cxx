@@ -41,8 +41,8 @@ public:
   Spiral(vtkIdType line, int axes)
     : Axis(static_cast<int>(line % axes))
     , Angle(Turn * this->Axis / axes)
-    , Phase(Fraction(line / axes * GoldenRatio))
-    , Distance(0.3 + 0.7 * std::sqrt(Fraction(line / axes * GoldenRatio * GoldenRatio + 0.5)))
+    , Phase(Fraction(Number(line, axes) * GoldenRatio))
+    , Distance(0.3 + 0.7 * std::sqrt(Fraction(Number(line, axes) * GoldenRatio * GoldenRatio + 0.5)))
   {
   }
 
@@ -63,6 +63,13 @@ public:
   }
 
 private:
+  // of the line among those of its axis
+  static double Number(vtkIdType line, int axes)
+  {
+    const vtkIdType number = line / axes;
+    return static_cast<double>(number);
+  }
+
   int Axis;
   double Angle, Phase, Distance;
 };

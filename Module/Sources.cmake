@@ -34,6 +34,7 @@ set(filter_sources
   LineAccumulator
   LineInput
   LineLighting
+  LineVoxelizerRun
   LineVoxels
   LiteralSampling
   PrincipalCurvature

@@ -65,7 +65,7 @@ vtkSmartPointer<vtkPolyData> ReadLines(const LinesOptions& options)
   const std::string ending = std::filesystem::path(options.File).extension().string();
   const auto data = ending == ".vtp" ? ReadBy<vtkXMLPolyDataReader>(options.File)
                                      : ReadBy<vtkGenericDataObjectReader>(options.File);
-  const vtkSmartPointer<vtkPolyData> lines = vtkPolyData::SafeDownCast(data);
+  vtkSmartPointer<vtkPolyData> lines = vtkPolyData::SafeDownCast(data);
   if (!lines || lines->GetNumberOfLines() == 0)
   {
     throw UserError("'" + options.File +
@@ -131,8 +131,7 @@ bool IsVoxelFile(const std::string& path)
 
 vtkSmartPointer<vtkImageData> ReadVoxels(const std::string& path)
 {
-  const vtkSmartPointer<vtkImageData> voxels =
-    vtkImageData::SafeDownCast(ReadBy<vtkXMLImageDataReader>(path));
+  vtkSmartPointer<vtkImageData> voxels = vtkImageData::SafeDownCast(ReadBy<vtkXMLImageDataReader>(path));
   if (!voxels || vtkAnisotropicVoxelEvaluator::GetScalarOpacityUnitDistance(voxels) <= 0.0)
   {
     throw UserError(

@@ -190,7 +190,7 @@ Picture DrawTubes(vtkPolyData* lines, LineScene& scene, int size, double radius)
   renderer->AddActor(actor);
   scene.GetScene().GetWindow()->SetSize(size * Supersampling, size * Supersampling);
   scene.Render();
-  const Picture picture = Reduced(ToPicture(scene.GetScene().Capture()), Supersampling);
+  Picture picture = Reduced(ToPicture(scene.GetScene().Capture()), Supersampling);
   renderer->RemoveActor(actor);
   return picture;
 }

@@ -264,7 +264,8 @@ void CheckBundle(Check& check)
   std::vector<lines::Line> bundle;
   for (int i = 0; i < 900; ++i)
   {
-    const double x = (i % 30 + 0.5) / 30.0, y = (i / 30 + 0.5) / 30.0;
+    const int row = i / 30;
+    const double x = (i % 30 + 0.5) / 30.0, y = (row + 0.5) / 30.0;
     bundle.push_back({ { x, y, 0.0 }, { x, y, 1.0 } });
   }
   for (int order : { 2, 4, 8, 12 })
