@@ -281,18 +281,16 @@ void LineAccumulator::Compress(const Sums& sums, LineBrick& brick) const
   }
 }
 
-// Leaves the smallest coefficients out, as long as each of colour, area and product loses at most the
-// tolerance of its energy; and those that are 0. The mean area stays.
-void LineAccumulator::CompressVoxel(const float* sums, LineBrick& brick) const
+// Of each harmonic: its share of the energy of colour, area or product, the largest of these.
+void LineAccumulator::ShareEnergy(const float* sums, double* shares) const
 {
-  const HarmonicBasis& basis = *this->Settings.Basis;
-  const int channels = this->Settings.Channels, count = basis.GetCount();
+  const int channels = this->Settings.Channels, count = this->Settings.Basis->GetCount();
   const auto energyOf = [&](int harmonic, int first, int last) {
     const float* values = sums + harmonic * channels;
     return std::inner_product(values + first, values + last, values + first, 0.0);
   };
   const int groups[4] = { 0, AreaChannel, ProductChannel, channels };
-  double shares[HarmonicBasis::LargestCount] = {};
+  std::fill_n(shares, count, 0.0);
   for (int group = 0; group < channels - 2; ++group)
   {
     double whole = 0.0;
@@ -305,6 +303,16 @@ void LineAccumulator::CompressVoxel(const float* sums, LineBrick& brick) const
       shares[i] = std::max(shares[i], energyOf(i, groups[group], groups[group + 1]) / whole);
     }
   }
+}
+
+// Leaves the smallest coefficients out, as long as each of colour, area and product loses at most the
+// tolerance of its energy; and those that are 0. The mean area stays.
+void LineAccumulator::CompressVoxel(const float* sums, LineBrick& brick) const
+{
+  const HarmonicBasis& basis = *this->Settings.Basis;
+  const int channels = this->Settings.Channels, count = basis.GetCount();
+  double shares[HarmonicBasis::LargestCount];
+  this->ShareEnergy(sums, shares);
   shares[0] = 2.0;
   int order[HarmonicBasis::LargestCount];
   std::iota(order, order + count, 0);

@@ -100,6 +100,7 @@ private:
   void SumBrick(std::size_t range, Workspace& work);
   void SumType(TypeSums& type, int number, std::size_t range, Workspace& work) const;
   void Compress(const Sums& sums, LineBrick& brick) const;
+  void ShareEnergy(const float* sums, double* shares) const;
   void CompressVoxel(const float* sums, LineBrick& brick) const;
 
   LineAccumulatorSettings Settings;

@@ -14,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -73,6 +74,22 @@ private:
   int Axis;
   double Angle, Phase, Distance;
 };
+
+// Lines of so many points one after the other, the last one of what is left.
+vtkSmartPointer<vtkCellArray> MakeCells(vtkIdType lines, vtkIdType pointsOfLine, vtkIdType points)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (vtkIdType line = 0; line < lines; ++line)
+  {
+    const vtkIdType begin = line * pointsOfLine, end = std::min(begin + pointsOfLine, points);
+    cells->InsertNextCell(static_cast<int>(end - begin));
+    for (vtkIdType point = begin; point < end; ++point)
+    {
+      cells->InsertCellPoint(point);
+    }
+  }
+  return cells;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -102,17 +119,7 @@ int vtkAnalyticLineSource::RequestData(vtkInformation*, vtkInformationVector**, 
   vtkNew<vtkUnsignedCharArray> types;
   types->SetName("LineType");
   types->SetNumberOfValues(last - first);
-  vtkNew<vtkCellArray> cells;
-  for (vtkIdType line = first; line < last; ++line)
-  {
-    const vtkIdType begin = (line - first) * (this->SegmentsPerLine + 1);
-    const vtkIdType end = std::min(begin + this->SegmentsPerLine + 1, points->GetNumberOfPoints());
-    cells->InsertNextCell(static_cast<int>(end - begin));
-    for (vtkIdType point = begin; point < end; ++point)
-    {
-      cells->InsertCellPoint(point);
-    }
-  }
+  const auto cells = MakeCells(last - first, this->SegmentsPerLine + 1, points->GetNumberOfPoints());
   vtkSMPTools::For(first, last, [&](vtkIdType from, vtkIdType to) {
     for (vtkIdType line = from; line < to; ++line)
     {
