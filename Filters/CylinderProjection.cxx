@@ -219,22 +219,30 @@ void AnalyticProjection::AddTable(const ProjectedSegment& segment, double* sums)
   const glm::dvec2 place = (SquareOf(segment.Tangent) + 1.0) * 0.5 * (this->TableSize - 1.0);
   const int column = std::clamp(static_cast<int>(place.x), 0, this->TableSize - 2);
   const int row = std::clamp(static_cast<int>(place.y), 0, this->TableSize - 2);
-  const int count = this->Settings.Basis->GetCount();
+  const int size = this->Settings.Basis->GetCount() * ChannelsOfTable;
+  float light[HarmonicBasis::LargestCount * ChannelsOfTable];
+  std::fill_n(light, size, 0.0F);
   for (int corner = 0; corner < 4; ++corner)
   {
     const int right = corner & 1, up = corner >> 1;
-    const double weight = segment.Weight * (right ? place.x - column : 1.0 - (place.x - column)) *
-      (up ? place.y - row : 1.0 - (place.y - row));
+    const auto weight = static_cast<float>(
+      (right ? place.x - column : 1.0 - (place.x - column)) * (up ? place.y - row : 1.0 - (place.y - row)));
     const float* entry =
-      &this->Tangents[(static_cast<std::size_t>(row + up) * this->TableSize + column + right) * count *
-        ChannelsOfTable];
-    for (int j = 0; j < count; ++j)
+      &this->Tangents[(static_cast<std::size_t>(row + up) * this->TableSize + column + right) * size];
+    for (int i = 0; i < size; ++i)
     {
-      for (int c = 0; c < 3; ++c)
-      {
-        const float* light = entry + j * ChannelsOfTable;
-        sums[j * this->GetChannels() + c] += weight * (segment.Color[c] * light[c] + light[c + 3]);
-      }
+      light[i] += weight * entry[i];
+    }
+  }
+  const int channels = this->GetChannels();
+  const double factors[3] = { segment.Weight * segment.Color.x, segment.Weight * segment.Color.y,
+    segment.Weight * segment.Color.z };
+  for (int j = 0; j < this->Settings.Basis->GetCount(); ++j)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const float* harmonic = light + j * ChannelsOfTable;
+      sums[j * channels + c] += factors[c] * harmonic[c] + segment.Weight * harmonic[c + 3];
     }
   }
 }
