@@ -25,6 +25,7 @@ public:
 
   // Reports progress from the last stage's end up to `progressAtEnd`. False if aborted.
   bool Run(long long count, double progressAtEnd, const std::function<void(long long)>& work);
+  double GetProgress() const { return this->Progress; }
 
 private:
   vtkAlgorithm* Algorithm;

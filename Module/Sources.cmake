@@ -5,7 +5,10 @@
 
 set(filter_classes
   vtkAmbientCovarianceFilter
+  vtkAnalyticLineSource
   vtkAnalyticVolumeSource
+  vtkAnisotropicLineVoxelizer
+  vtkAnisotropicVoxelEvaluator
   vtkAnisotropyFilter
   vtkGradientAlignedHistogram
   vtkOpticsImageFilter
@@ -32,15 +35,24 @@ set(filter_sources
   CovarianceField
   CovarianceKernel
   CovarianceSampler
+  CylinderProjection
   GaussianFilter
   GradientAlignedSampler
+  HarmonicBasis
   ImageGrid
+  LineAccumulator
+  LineInput
+  LineLighting
+  LineVoxelizerRun
+  LineVoxels
   LiteralSampling
   PrincipalCurvature
   RangeSearch
   SamplePattern
   ScalarSource
-  SobelStencil)
+  SobelStencil
+  SphereDirections
+  VoxelEvaluation)
 set(rendering_sources
   DataSpaceClassification
   ProjectedTetrahedraPainter

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 void AddRenderCommand(CLI::App& program);
+void AddLinesCommand(CLI::App& program);
 void AddViewCommand(CLI::App& program);
 void AddEditorCommand(CLI::App& program);
 void AddInfoCommand(CLI::App& program);

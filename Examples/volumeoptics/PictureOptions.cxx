@@ -210,7 +210,12 @@ CLI::Option* PictureOptions::AddLightingFile(CLI::App& command)
     "Lighting transfer function (JSON): light by pairs of scalars along the gradient");
 }
 
-Volume PictureOptions::Load()
+void PictureOptions::AddViewTo(CLI::App& command)
+{
+  AddView(command, *this);
+}
+
+void PictureOptions::CompleteView()
 {
   std::sscanf(this->SizeText.c_str(), "%dx%d", &this->Picture.Size[0], &this->Picture.Size[1]);
   CameraSettings& camera = this->Picture.Camera;
@@ -231,6 +236,11 @@ Volume PictureOptions::Load()
   {
     this->Picture.Background[i] = color[i] / 255.0;
   }
+}
+
+Volume PictureOptions::Load()
+{
+  this->CompleteView();
   if (!this->FunctionFile.empty())
   {
     this->Picture.Function = ReadTransferFunction(this->FunctionFile);

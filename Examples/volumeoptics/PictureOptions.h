@@ -32,6 +32,10 @@ struct PictureOptions
   bool Headless = false;
 
   void AddTo(CLI::App& command);
+  // Camera, size, light, step and background alone.
+  void AddViewTo(CLI::App& command);
+  // Completes Picture by what the view's options say.
+  void CompleteView();
   // Reads the file and completes Picture by what depends on it. Throws UserError.
   Volume Load();
   // The option that names LightingFile.

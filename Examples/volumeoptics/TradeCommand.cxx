@@ -7,6 +7,7 @@
 #include "TradeCovariance.h"
 #include "TradeIntegration.h"
 #include "TradeLighting.h"
+#include "TradeLines.h"
 #include "TradeShading.h"
 #include "TradeTable.h"
 
@@ -87,6 +88,28 @@ void AddLighting(CLI::App& trade)
   command->callback([options] { TradeLighting(*options); });
 }
 
+void AddLines(CLI::App& trade)
+{
+  const auto options = std::make_shared<LinesTradeOptions>();
+  CLI::App* command = trade.add_subcommand("lines",
+    "Lines as anisotropic voxels: time, memory and PSNR against 10 x 10 supersampled tubes, by order, grid, "
+    "projection, tolerance and view directions (CSV and SVG)");
+  command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
+  command->add_option("--segments", options->Segments, "Segments of the spirals")
+    ->check(CLI::Range(1000, 100000000))
+    ->capture_default_str();
+  command->add_option("--size", options->Size, "Width and height of the picture")
+    ->check(CLI::Range(16, 1024))
+    ->capture_default_str();
+  command->add_option("--radius", options->Radius, "Radius of the spirals, which fill [-1, 1]^3")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  command->add_option("--knob", options->Knob, "Measure one setting alone")
+    ->check(CLI::IsMember({ "grid", "order", "tolerance", "projection", "opacity", "view directions" }));
+  command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->callback([options] { TradeLines(*options); });
+}
+
 void AddTable(CLI::App& trade)
 {
   const auto options = std::make_shared<TableOptions>();
@@ -114,5 +137,6 @@ void AddTradeCommand(CLI::App& program)
   AddShading(*trade);
   AddIntegration(*trade);
   AddLighting(*trade);
+  AddLines(*trade);
   AddTable(*trade);
 }

@@ -21,6 +21,7 @@ Examples:
   volumeoptics render head.nrrd -o head.png --model ward --preset cranium --camera 35,8
   volumeoptics view Cranium.inv3 --model lafortune --glossiness 30
   volumeoptics view Cranium.inv3 --lighting
+  volumeoptics lines streamlines.vtp -o lines.png --grid 256 --camera 30,20
   volumeoptics info Cranium.inv3
   volumeoptics gallery -o gallery
   volumeoptics trade covariance -o trade
@@ -42,6 +43,7 @@ int main(int argc, char** argv)
   program.add_flag_callback(
     "-q,--quiet", [] { Progress::SetQuiet(true); }, "No progress, no times");
   AddRenderCommand(program);
+  AddLinesCommand(program);
   AddViewCommand(program);
   AddEditorCommand(program);
   AddInfoCommand(program);

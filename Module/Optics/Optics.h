@@ -33,6 +33,8 @@ using namespace glm;
 #include "SoftRange.glsl"
 #include "MultiSampleRule.glsl"
 #include "HybridNormal.glsl"
+#include "SphericalHarmonics.glsl"
+#include "CylinderLighting.glsl"
 #undef float
 }
 }

@@ -34,6 +34,8 @@ using namespace glm;
 #include "OpticsFloat/SoftRange.glsl"
 #include "OpticsFloat/MultiSampleRule.glsl"
 #include "OpticsFloat/HybridNormal.glsl"
+#include "OpticsFloat/SphericalHarmonics.glsl"
+#include "OpticsFloat/CylinderLighting.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }
 }

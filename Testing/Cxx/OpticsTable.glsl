@@ -210,6 +210,33 @@ vec4 EvaluateScalarPair(int function, FunctionInput i)
   return vec4(mixed.color.x, mixed.color.y, mixed.color.z, mixed.opacity);
 }
 
+// normal is the cylinder's tangent.
+vec4 EvaluateLines(int function, FunctionInput i)
+{
+  if (function == 40)
+  {
+    return OneNumber(SphericalHarmonic(int(i.p.x), int(i.p.y), i.normal));
+  }
+  if (function == 41)
+  {
+    return OneNumber(SineMoment(int(i.p.x), i.p.y));
+  }
+  if (function == 42)
+  {
+    return OneNumber(CosinePowerIntegral(i.p.x, i.p.y));
+  }
+  CylinderView view = ViewOfCylinder(i.normal, i.toViewer);
+  if (function == 43)
+  {
+    return OneNumber(DiffuseOfCylinder(view, i.toLight));
+  }
+  if (function == 44)
+  {
+    return OneNumber(SpecularOfCylinder(view, i.toLight, i.toViewer, i.p.x));
+  }
+  return TwoNumbers(DepthBounds(i.p.x, i.p.y)); // 45
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
@@ -224,5 +251,9 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateFrame(function, i);
   }
-  return function < 36 ? EvaluateInDataSpace(function, i) : EvaluateScalarPair(function, i);
+  if (function < 36)
+  {
+    return EvaluateInDataSpace(function, i);
+  }
+  return function < 40 ? EvaluateScalarPair(function, i) : EvaluateLines(function, i);
 }

@@ -45,7 +45,7 @@ std::string FragmentShader()
   const std::string optics = VOLUMEOPTICS_OPTICS_FOLDER "/";
   std::string text = "//VTK::System::Dec\n//VTK::Output::Dec\n";
   for (const char* file : { "PhaseFunction", "Opacity", "DataSpace", "AnisotropyFrame", "Reflectance",
-         "SoftRange", "MultiSampleRule", "HybridNormal" })
+         "SoftRange", "MultiSampleRule", "HybridNormal", "SphericalHarmonics", "CylinderLighting" })
   {
     text += ReadText(optics + file + ".glsl");
   }

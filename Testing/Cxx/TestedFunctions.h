@@ -158,6 +158,36 @@ const std::vector<TestedFunction>& TestedFunctions()
     { "ApplyRule", one, 8.0, 16.0 },
     // where it is not clamped, the quotient is at most 2, and 1 is added
     { "HybridSide", one, 3.0, 10.0 },
+    // |Y_lm| is below 2 up to l = 12; the recurrence is stable in l
+    { "SphericalHarmonic", one, 24.0, 96.0 },
+    { "SineMoment", relative, 40.0, 160.0 },
+    // the error of cos^n is that of n times the logarithm
+    { "CosinePowerIntegral",
+      [](const FunctionCase& c, const glm::dvec4&) {
+        return std::min(1.0, 2.0 / std::sqrt(double(c.P.x))) * (4.0 + c.P.x);
+      },
+      2.0, 8.0 },
+    // end-on the normal's error grows as 1/sine
+    { "DiffuseOfCylinder",
+      [](const FunctionCase& c, const glm::dvec4&) {
+        return 1.0 / glm::length(glm::cross(glm::dvec3(c.Normal), glm::dvec3(c.ToViewer)));
+      },
+      4.0, 16.0 },
+    // both of the two before, and the terminator's angle, whose error grows as the light nears T
+    { "SpecularOfCylinder",
+      [](const FunctionCase& c, const glm::dvec4&) {
+        const double sine = glm::length(glm::cross(glm::dvec3(c.Normal), glm::dvec3(c.ToViewer)));
+        const double sineOfLight = glm::length(glm::cross(glm::dvec3(c.Normal), glm::dvec3(c.ToLight)));
+        return (1.0 + c.P.x) / sine + 1.0 / std::max(sineOfLight, 1e-3);
+      },
+      4.0, 16.0 },
+    // the root of 1 - m: relative to the depth, and half of the digits where 1 - m is near 0
+    { "DepthBounds",
+      [](const FunctionCase& c, const glm::dvec4& value) {
+        const double across = value.y > 0.0 ? value.x / value.y : 1.0;
+        return std::max(double(c.P.x), 0.0) * std::max(1.0, 1.0 / std::max(across, 1e-3));
+      },
+      4.0, 16.0 },
   };
   return functions;
 }
@@ -175,6 +205,7 @@ public:
     this->AddTransmission();
     this->AddMultiSample();
     this->AddHybridSides();
+    this->AddLines();
   }
 
   std::vector<FunctionCase> Cases;
@@ -514,65 +545,129 @@ private:
           this->Add(33, segment, behind, peak);
         }
       }
-    }
-  }
 
-  RandomDirections Random{ 10 };
-};
+      void AddLines()
+      {
+        for (int l = 0; l <= 12; ++l)
+        {
+          for (int m = -l; m <= l; ++m)
+          {
+            for (int i = 0; i < 6; ++i)
+            {
+              FunctionCase c;
+              c.Function = 40;
+              c.Normal = glm::vec3(this->NormalFor(i));
+              c.P = glm::vec3(l, m, 0.0);
+              this->Cases.push_back(c);
+            }
+          }
+          for (double power : { 1.0, 2.0, 2.5, 11.0, 33.0, 1001.0 })
+          {
+            this->Add(41, l, power);
+          }
+        }
+        for (double exponent : { 1.0, 2.0, 11.0, 101.0, 1001.0 })
+        {
+          for (double angle : { -1.5707963, -0.3, 0.0, 1e-4, 0.05, 0.3, 1.5, 1.5707963 })
+          {
+            this->Add(42, exponent, angle);
+          }
+        }
+        for (double ratio : { -1.0, -0.625, -0.6, 0.0, 0.3, 0.3125, 1.0 })
+        {
+          for (double whole : { -1.0, 0.0, 1e-12, 0.5, 1e6 })
+          {
+            this->Add(45, whole, whole * ratio);
+          }
+        }
+        this->AddCylinders();
+      }
 
-glm::dvec4 InDouble(const FunctionCase& c)
-{
-  return optics::Evaluate(c.Function,
-    { glm::dvec3(c.Normal), glm::dvec3(c.ToLight), glm::dvec3(c.ToViewer), glm::dvec3(c.Major),
-      glm::dvec3(c.P) });
-}
+      // Light and viewer anywhere, at the same place, opposite, along the cylinder.
+      void AddCylinders()
+      {
+        for (int i = 0; i < 400; ++i)
+        {
+          FunctionCase c;
+          const glm::dvec3 tangent = this->NormalFor(i);
+          const double sine = i % 5 == 0 ? 1e-3 : this->Random.Uniform(0.05, 1.0);
+          const glm::dvec3 viewer = sine * this->Random.Across(tangent) +
+            std::sqrt(1.0 - sine * sine) * tangent * (i % 2 ? 1.0 : -1.0);
+          const glm::dvec3 lights[] = { this->Random.OnSphere(), viewer, -viewer, tangent,
+            glm::normalize(tangent + 0.01 * this->Random.OnSphere()) };
+          c.Normal = glm::vec3(tangent);
+          c.ToViewer = glm::vec3(viewer);
+          c.ToLight = glm::vec3(lights[i % 10 < 5 ? 0 : i % 5]);
+          for (double exponent : { 1.0, 10.0, 32.0, 1000.0 })
+          {
+            c.P = glm::vec3(exponent, 0.0, 0.0);
+            c.Function = 44;
+            this->Cases.push_back(c);
+          }
+          c.Function = 43;
+          this->Cases.push_back(c);
+        }
+      }
 
-// Compares results of another precision with the double ones and prints the worst of each function.
-class Comparison
-{
-public:
-  void Add(Check& check, const FunctionCase& c, const glm::dvec4& value, double TestedFunction::*bound)
-  {
-    const TestedFunction& function = TestedFunctions()[c.Function];
-    const glm::dvec4 expected = InDouble(c);
-    const double scale = function.Scale(c, expected);
-    for (int i = 0; i < 4; ++i)
+      RandomDirections Random{ 10 };
+    };
+
+    glm::dvec4 InDouble(const FunctionCase& c)
     {
-      // a float's smallest normal number, where it may become 0
-      const double tolerance = function.*bound * RoundingUnit * scale + 1.2e-38;
-      const std::string what = function.Name + Arguments(c);
-      check.Finite(what, value[i]);
-      check.Near(what, value[i], expected[i], tolerance);
-      const double off = std::abs(value[i] - expected[i]) - 1.2e-38;
-      this->Worst[c.Function] = std::max(this->Worst[c.Function], off / (RoundingUnit * scale + 1e-300));
+      return optics::Evaluate(c.Function,
+        { glm::dvec3(c.Normal), glm::dvec3(c.ToLight), glm::dvec3(c.ToViewer), glm::dvec3(c.Major),
+          glm::dvec3(c.P) });
     }
-    ++this->Count[c.Function];
-  }
 
-  void Print(Check& check) const
-  {
-    for (std::size_t i = 0; i < TestedFunctions().size(); ++i)
+    // Compares results of another precision with the double ones and prints the worst of each function.
+    class Comparison
     {
-      std::cout << TestedFunctions()[i].Name << ": " << this->Count[i] << " cases, worst " << this->Worst[i]
-                << " units" << std::endl;
-      check.AtLeast(std::string(TestedFunctions()[i].Name) + ", cases", this->Count[i], 1.0);
-    }
-  }
+    public:
+      void Add(Check& check, const FunctionCase& c, const glm::dvec4& value, double TestedFunction::*bound)
+      {
+        const TestedFunction& function = TestedFunctions()[c.Function];
+        const glm::dvec4 expected = InDouble(c);
+        const double scale = function.Scale(c, expected);
+        for (int i = 0; i < 4; ++i)
+        {
+          // a float's smallest normal number, where it may become 0
+          const double tolerance = function.*bound * RoundingUnit * scale + 1.2e-38;
+          const std::string what = function.Name + Arguments(c);
+          check.Finite(what, value[i]);
+          check.Near(what, value[i], expected[i], tolerance);
+          const double off = std::abs(value[i] - expected[i]) - 1.2e-38;
+          this->Worst[c.Function] = std::max(this->Worst[c.Function], off / (RoundingUnit * scale + 1e-300));
+        }
+        ++this->Count[c.Function];
+      }
 
-private:
-  static std::string Arguments(const FunctionCase& c)
-  {
-    std::string text = "(";
-    for (const glm::vec3& v : { c.Normal, c.ToLight, c.ToViewer, c.Major, c.P })
-    {
-      text += '(' + std::to_string(v.x) + ' ' + std::to_string(v.y) + ' ' + std::to_string(v.z) + ')';
-    }
-    return text + ')';
-  }
+      void Print(Check& check) const
+      {
+        for (std::size_t i = 0; i < TestedFunctions().size(); ++i)
+        {
+          std::cout << TestedFunctions()[i].Name << ": " << this->Count[i] << " cases, worst "
+                    << this->Worst[i] << " units" << std::endl;
+          check.AtLeast(std::string(TestedFunctions()[i].Name) + ", cases", this->Count[i], 1.0);
+        }
+      }
 
-  std::vector<double> Worst = std::vector<double>(TestedFunctions().size());
-  std::vector<int> Count = std::vector<int>(TestedFunctions().size());
-};
-}
+    private:
+      static std::string Arguments(const FunctionCase& c)
+      {
+        std::string text = "(";
+        for (const glm::vec3& v : { c.Normal, c.ToLight, c.ToViewer, c.Major, c.P })
+        {
+          text += '(' + std::to_string(v.x) + ' ' + std::to_string(v.y) + ' ' + std::to_string(v.z) + ')';
+        }
+        return text + ')';
+      }
+
+      std::vector<double> Worst = std::vector<double>(TestedFunctions().size());
+      std::vector<int> Count = std::vector<int>(TestedFunctions().size());
+
+      std::array<double, 29> Worst{};
+      std::array<int, 29> Count{};
+    };
+  }
 
 #endif

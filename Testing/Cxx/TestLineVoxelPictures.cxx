@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The evaluator's RGBA in VTK's own mapper: opacity and colour of a uniform bundle as the closed form says, no
+// dark rim, per block as per voxel, transfer function and scales.
+
+#include "LineTesting.h"
+
+#include "vtkAnalyticLineSource.h"
+#include "vtkCamera.h"
+#include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+struct Scene
+{
+  vtkNew<vtkAnisotropicLineVoxelizer> Voxelizer;
+  vtkNew<vtkAnisotropicVoxelEvaluator> Evaluator;
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> Mapper;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkRenderWindow> Window = vtkSmartPointer<vtkRenderWindow>::New();
+
+  Scene()
+  {
+    this->Evaluator->SetInputConnection(this->Voxelizer->GetOutputPort());
+    this->Evaluator->SetCamera(this->Renderer->GetActiveCamera());
+    this->Mapper->SetInputConnection(this->Evaluator->GetOutputPort());
+    this->Mapper->SetAutoAdjustSampleDistances(0);
+    this->Mapper->SetUseJittering(0);
+    this->Volume->SetMapper(this->Mapper);
+    this->Volume->SetProperty(this->Property);
+    this->Renderer->AddVolume(this->Volume);
+    this->Renderer->GetActiveCamera()->ParallelProjectionOn();
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(150, 150);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  bool MarksRange = false; // instead of the mapper's native range
+
+  std::vector<unsigned char> Render()
+  {
+    this->Evaluator->SetUpVolume(this->Volume);
+    this->Evaluator->SetMarkOpacityRange(this->MarksRange);
+    this->Mapper->SetScalarOpacityRangeType(
+      this->MarksRange ? vtkGPUVolumeRayCastMapper::SCALAR : vtkGPUVolumeRayCastMapper::NATIVE);
+    this->Window->Render();
+    vtkNew<vtkUnsignedCharArray> pixels;
+    this->Window->GetPixelData(0, 0, 149, 149, 0, pixels);
+    return std::vector<unsigned char>(
+      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+  }
+};
+
+glm::dvec3 PixelAt(const std::vector<unsigned char>& pixels, int x, int y)
+{
+  const unsigned char* pixel = &pixels[3 * (150 * y + x)];
+  return glm::dvec3(pixel[0], pixel[1], pixel[2]) / 255.0;
+}
+
+// Lines along x, one in each voxel of a slab n voxels thick, on white: of the light behind, exp(-sum tau)
+// comes through.
+void CheckOpacity(Check& check)
+{
+  Scene scene;
+  const int n = 12;
+  std::vector<lines::Line> all;
+  for (int y = 2; y < n - 2; ++y)
+  {
+    for (int z = 3; z < n - 3; ++z)
+    {
+      all.push_back({ { 2.0, y + 0.5, z + 0.5 }, { n - 2.0, y + 0.5, z + 0.5 } });
+    }
+  }
+  vtkNew<vtkProperty> material;
+  material->SetDiffuse(0.0);
+  material->SetAmbient(1.0);
+  material->SetColor(1.0, 0.0, 0.0);
+  scene.Voxelizer->SetMaterial(0, material);
+  scene.Voxelizer->SetInputData(lines::MakeLines(all));
+  scene.Voxelizer->SetSampleDimensions(n, n, n);
+  scene.Voxelizer->SetModelBounds(0.0, n, 0.0, n, 0.0, n);
+  scene.Voxelizer->SetRadius(0.1);
+  scene.Voxelizer->SetMaximumOrder(8);
+  scene.Mapper->SetSampleDistance(0.05F);
+  scene.Renderer->SetBackground(1.0, 1.0, 1.0);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(n / 2.0, n / 2.0, n / 2.0);
+  camera->SetPosition(n / 2.0, n / 2.0, 50.0);
+  camera->SetParallelScale(n / 2.0);
+  for (int type : { VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_FLOAT })
+  {
+    scene.Evaluator->SetOutputScalarType(type);
+    scene.Renderer->ResetCameraClippingRange();
+    const glm::dvec3 middle = PixelAt(scene.Render(), 75, 75);
+    // six voxels, .2 of the cross section each; opacity as of thin lines, not 1 - .2
+    const double through = std::exp(-6.0 * 0.2);
+    check.Near("red", middle.x, 1.0, 0.01);
+    check.Near("green: what comes through", middle.y, through, 0.02);
+    // towards the rims it must be red over white everywhere: nothing darker
+    const auto pixels = scene.Render();
+    double least = 1.0;
+    for (std::size_t i = 0; i < pixels.size(); i += 3)
+    {
+      least = std::min(least, pixels[i] / 255.0);
+    }
+    check.AtLeast("no dark rim", least, 0.985);
+  }
+  scene.MarksRange = true;
+  const auto marked = scene.Render();
+  check.Near("marked range", PixelAt(marked, 75, 60).y, std::exp(-6.0 * 0.2), 0.03);
+  scene.MarksRange = false;
+  scene.Evaluator->SetRadiusScale(0, 2.0);
+  check.Near("radius scale", PixelAt(scene.Render(), 75, 75).y, std::exp(-12.0 * 0.2), 0.02);
+  scene.Evaluator->SetRadiusScale(0, 1.0);
+  scene.Evaluator->SetOpacityScale(0, 0.5);
+  check.Near("opacity scale", PixelAt(scene.Render(), 75, 75).y,
+    std::pow(1.0 - 0.5 * (1.0 - std::exp(-0.2 / 1.5)), 6.0 * 1.5), 0.02);
+  scene.Evaluator->SetOpacityScale(0, 1.0);
+  vtkNew<vtkPiecewiseFunction> none;
+  none->AddPoint(0.0, 0.0);
+  none->AddPoint(1.0, 0.0);
+  scene.Evaluator->SetOpacityFunction(none);
+  check.Near("opacity function", PixelAt(scene.Render(), 75, 75).y, 1.0, 0.0);
+}
+
+// In perspective, one direction a block is near one a voxel.
+void CheckBlocks(Check& check)
+{
+  Scene scene;
+  vtkNew<vtkAnalyticLineSource> source;
+  source->SetNumberOfSegments(20000);
+  scene.Voxelizer->SetInputConnection(source->GetOutputPort());
+  scene.Voxelizer->SetSampleDimensions(64, 64, 64);
+  scene.Mapper->SetSampleDistance(0.02F);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetPosition(2.0, -4.0, 2.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  scene.Render();
+  scene.Renderer->ResetCamera();
+  const auto perVoxel = scene.Render();
+  scene.Evaluator->SetViewDirectionsToPerBlock();
+  const auto perBlock = scene.Render();
+  double sum = 0.0, brightest = 0.0;
+  for (std::size_t i = 0; i < perVoxel.size(); ++i)
+  {
+    sum += std::abs(perVoxel[i] - perBlock[i]);
+    brightest = std::max<double>(brightest, perVoxel[i]);
+  }
+  check.AtMost("per block, codes", sum / perVoxel.size(), 0.5);
+  check.AtLeast("per block differs", sum, 1.0);
+  check.AtLeast("lines are bright", brightest, 100.0);
+  camera->Azimuth(40.0);
+  check.That(scene.Render() != perBlock, "a moved camera is evaluated again");
+}
+}
+
+int TestLineVoxelPictures(int, char*[])
+{
+  Check check;
+  CheckOpacity(check);
+  CheckBlocks(check);
+  return check.ExitCode();
+}
