@@ -24,14 +24,20 @@ double vtkOpticsVolumeProperty::GetEffectiveScalarOpacityUnitInterval()
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsVolumeProperty::AcceptsIsovalue(double value)
+{
+  if (!std::isfinite(value))
+  {
+    vtkWarningMacro(<< "An isosurface of value " << value
+                    << " is not added: give a value within the range of the data.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 int vtkOpticsVolumeProperty::InsertIsosurface(const Isosurface& surface)
 {
-  if (!std::isfinite(surface.Value))
-  {
-    vtkWarningMacro(<< "An isosurface of value " << surface.Value
-                    << " is not added: give a value within the range of the data.");
-    return -1;
-  }
   this->Isosurfaces.push_back(surface);
   this->Modified();
   return this->GetNumberOfIsosurfaces() - 1;
@@ -40,6 +46,10 @@ int vtkOpticsVolumeProperty::InsertIsosurface(const Isosurface& surface)
 //------------------------------------------------------------------------------
 int vtkOpticsVolumeProperty::AddIsosurface(double value, double r, double g, double b, double opacity)
 {
+  if (!this->AcceptsIsovalue(value))
+  {
+    return -1;
+  }
   Isosurface surface = { value, { 0.0, 0.0, 0.0 }, 0.0, true };
   volumeoptics::SetWithinRange(this, "Red of an isosurface", r, 0.0, 1.0, surface.Color[0]);
   volumeoptics::SetWithinRange(this, "Green of an isosurface", g, 0.0, 1.0, surface.Color[1]);
@@ -51,6 +61,10 @@ int vtkOpticsVolumeProperty::AddIsosurface(double value, double r, double g, dou
 //------------------------------------------------------------------------------
 int vtkOpticsVolumeProperty::AddIsosurface(double value, double opacity)
 {
+  if (!this->AcceptsIsovalue(value))
+  {
+    return -1;
+  }
   Isosurface surface = { value, { 1.0, 1.0, 1.0 }, 0.0, false };
   volumeoptics::SetWithinRange(this, "Opacity of an isosurface", opacity, 0.0, 1.0, surface.Opacity);
   return this->InsertIsosurface(surface);

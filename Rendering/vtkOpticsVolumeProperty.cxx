@@ -285,7 +285,10 @@ void vtkOpticsVolumeProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ScalarOpacityUnitInterval: " << this->ScalarOpacityUnitInterval << "\n";
   for (const Isosurface& surface : this->Isosurfaces)
   {
-    os << indent << "Isosurface: value " << surface.Value << ", opacity " << surface.Opacity << "\n";
+    const double* rgb = surface.Color;
+    os << indent << "Isosurface: value " << surface.Value << ", opacity " << surface.Opacity << ", colour ";
+    surface.HasColor ? os << "(" << rgb[0] << ", " << rgb[1] << ", " << rgb[2] << ")\n"
+                     : os << "of the data\n";
   }
   os << indent << "Silhouette: " << this->GetSilhouetteAsString() << "\n";
   os << indent << "TransmittedLight: " << this->GetTransmittedLightAsString() << "\n";

@@ -319,6 +319,7 @@ private:
     double Opacity;
     bool HasColor;
   };
+  bool AcceptsIsovalue(double value);
   int InsertIsosurface(const Isosurface& surface);
   bool HasIsosurface(int index);
   void CopyLightingTransferFunction(vtkOpticsVolumeProperty* source);
