@@ -23,8 +23,7 @@ bool TellJsonErrors(vtkObject* object, const char* subject, const char* name, co
   }
   catch (const JsonError& error)
   {
-    vtkErrorWithObjectMacro(
-      object, << subject << " " << (name ? name : "(no name)") << ": " << error.what());
+    vtkErrorWithObjectMacro(object, << subject << " " << (name ? name : "(no name)") << ": " << error.what());
     return false;
   }
   return true;

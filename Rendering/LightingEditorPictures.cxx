@@ -12,9 +12,8 @@ namespace volumeoptics
 bool LightingEditorPictures::IsUpToDate(const std::array<int, 4>& sizes) const
 {
   vtkMTimeType newest = this->SettingsTime;
-  for (vtkObject* object :
-    { static_cast<vtkObject*>(this->Histogram), static_cast<vtkObject*>(this->GradientHistogram),
-      static_cast<vtkObject*>(this->Opacity) })
+  for (vtkObject* object : { static_cast<vtkObject*>(this->Histogram),
+         static_cast<vtkObject*>(this->GradientHistogram), static_cast<vtkObject*>(this->Opacity) })
   {
     newest = object ? std::max(newest, object->GetMTime()) : newest;
   }
@@ -33,8 +32,7 @@ void LightingEditorPictures::Update(
   this->Sizes = sizes;
   this->PictureTime.Modified();
   const auto [length, gap, width, height] = sizes;
-  this->Lines =
-    LineHistogramPicture(this->Histogram, length, gap, { logScale, this->Opacity, tolerance });
+  this->Lines = LineHistogramPicture(this->Histogram, length, gap, { logScale, this->Opacity, tolerance });
   if (layout.VerticalAxes)
   {
     this->Lines = Transposed(this->Lines);
