@@ -124,9 +124,9 @@ std::vector<VaryingMaterial> FindVaryingMaterials(
     if (isFound)
     {
       const double end = direction < 0 ? -0.5 : pairs.GetBins() - 0.5;
-      found.push_back({ neighbour, direction, counts,
-        Ordered(neighbour + direction * StartOfVarying * width, end),
-        Ordered(neighbour - direction * width, neighbour + direction * EndOfNeighbour * width) });
+      found.push_back(
+        { neighbour, direction, counts, Ordered(neighbour + direction * StartOfVarying * width, end),
+          Ordered(neighbour - direction * width, neighbour + direction * EndOfNeighbour * width) });
     }
   }
   return found;
