@@ -84,12 +84,14 @@ set(rendering_sources
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  MaterialSearch
   MultiSampleRules
   MultiSampleTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsScene
   OpticsShaderTable
+  PairCounts
   PreIntegratedTexture
   PreIntegration
   RayUniforms

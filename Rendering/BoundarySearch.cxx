@@ -3,26 +3,18 @@
 
 #include "BoundarySearch.h"
 
-#include "vtkDataArray.h"
+#include "MaterialSearch.h"
+
 #include "vtkImageData.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace volumeoptics
 {
 namespace
 {
-// Pairs as far apart as this share of the range still are of one material.
-const double HomogeneousWidth = 1.0 / 32.0;
-// The diagonal's counts are smoothed by this share of the range (standard deviation).
-const double DiagonalSmoothing = 1.0 / 128.0;
-// Two modes are two materials if the counts fall below this share of the lower one between them.
-const double LargestValley = 0.5;
-// What holds less than these shares of all counts is no material, and of the strongest boundary none.
-const double LeastMaterial = 0.002;
+// A boundary with less than this share of the strongest one's counts is none.
 const double LeastStrength = 0.05;
 // A boundary is looked for in the middle of its transition, where its pairs are farthest apart.
 const double MiddleWidth = 0.2;
@@ -34,125 +26,9 @@ const double LargestContrast = 9.2; // of 1 % and 99 %
 const double LeastContrast = 0.6;
 const double ContrastTolerance = 0.35;
 
-// Counts with S1 >= S2, at the bins' numbers.
-class PairCounts
-{
-public:
-  explicit PairCounts(vtkImageData* histogram)
-    : Bins(histogram->GetDimensions()[0])
-    , Counts(static_cast<std::size_t>(Bins) * Bins)
-  {
-    vtkDataArray* values = histogram->GetPointData()->GetScalars();
-    for (int row = 0; row < this->Bins; ++row)
-    {
-      for (int column = 0; column < this->Bins; ++column)
-      {
-        const double count = values->GetComponent(column + static_cast<vtkIdType>(row) * this->Bins, 0);
-        this->Counts[std::min(row, column) * this->Bins + std::max(row, column)] +=
-          count > 0.0 && std::isfinite(count) ? count : 0.0;
-      }
-    }
-  }
-
-  int GetBins() const { return this->Bins; }
-  double Total() const { return std::accumulate(this->Counts.begin(), this->Counts.end(), 0.0); }
-
-  // visit(upper bin, lower bin, count) of all counts above 0.
-  template <typename Visit>
-  void ForEach(const Visit& visit) const
-  {
-    for (int lower = 0; lower < this->Bins; ++lower)
-    {
-      for (int upper = lower; upper < this->Bins; ++upper)
-      {
-        const double count = this->Counts[lower * this->Bins + upper];
-        if (count > 0.0)
-        {
-          visit(upper, lower, count);
-        }
-      }
-    }
-  }
-
-private:
-  int Bins;
-  std::vector<double> Counts;
-};
-
-std::vector<double> Smoothed(const std::vector<double>& values, double deviation)
-{
-  const int reach = static_cast<int>(std::ceil(3.0 * deviation));
-  const int count = static_cast<int>(values.size());
-  std::vector<double> smoothed(values.size());
-  for (int i = 0; i < count; ++i)
-  {
-    double weights = 0.0;
-    for (int offset = -reach; offset <= reach; ++offset)
-    {
-      const double weight =
-        offset == 0 ? 1.0 : std::exp(-0.5 * offset * offset / std::max(deviation * deviation, 1e-9));
-      weights += weight;
-      smoothed[i] += i + offset >= 0 && i + offset < count ? weight * values[i + offset] : 0.0;
-    }
-    smoothed[i] /= weights;
-  }
-  return smoothed;
-}
-
-// Counts near the diagonal by the middle of their pair.
-std::vector<double> DiagonalCounts(const PairCounts& pairs)
-{
-  std::vector<double> diagonal(pairs.GetBins());
-  pairs.ForEach([&](int upper, int lower, double count) {
-    if (upper - lower <= HomogeneousWidth * pairs.GetBins())
-    {
-      diagonal[(upper + lower) / 2] += count / 2.0;
-      diagonal[(upper + lower + 1) / 2] += count / 2.0;
-    }
-  });
-  return diagonal;
-}
-
-bool IsApart(const std::vector<double>& profile, int mode, int other)
-{
-  const auto ends = std::minmax(mode, other);
-  const double valley = *std::min_element(profile.begin() + ends.first, profile.begin() + ends.second + 1);
-  return valley < LargestValley * std::min(profile[mode], profile[other]);
-}
-
-// Bins of the materials, rising.
-std::vector<double> MaterialBins(const PairCounts& pairs)
-{
-  const std::vector<double> diagonal = DiagonalCounts(pairs);
-  const double deviation = DiagonalSmoothing * pairs.GetBins();
-  const std::vector<double> profile = Smoothed(diagonal, deviation);
-  std::vector<int> order(profile.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return profile[a] > profile[b]; });
-  const double total = pairs.Total();
-  const int reach = std::max(static_cast<int>(std::lround(2.0 * deviation)), 1);
-  std::vector<int> modes;
-  std::vector<double> materials;
-  for (const int bin : order)
-  {
-    const bool isNew =
-      std::all_of(modes.begin(), modes.end(), [&](int mode) { return IsApart(profile, bin, mode); });
-    double mass = 0.0;
-    double moment = 0.0;
-    for (int i = std::max(bin - reach, 0); i <= std::min(bin + reach, pairs.GetBins() - 1); ++i)
-    {
-      mass += diagonal[i];
-      moment += diagonal[i] * i;
-    }
-    if (isNew && mass > LeastMaterial * total)
-    {
-      modes.push_back(bin);
-      materials.push_back(moment / mass);
-    }
-  }
-  std::sort(materials.begin(), materials.end());
-  return materials;
-}
+// Of a boundary, relative to the distance of its materials, and to the widest pair of one material.
+const double Softness = 0.05;
+const double SoftnessOfVarying = 0.25;
 
 // Two materials, in bins.
 struct Transition
@@ -184,7 +60,7 @@ struct Transition
 double CommonContrast(const PairCounts& pairs, const std::vector<Transition>& transitions)
 {
   std::vector<double> contrasts(ContrastBins);
-  const double homogeneous = HomogeneousWidth * pairs.GetBins();
+  const double homogeneous = pairs.HomogeneousWidth();
   pairs.ForEach([&](int upper, int lower, double count) {
     for (const Transition& transition : transitions)
     {
@@ -205,7 +81,7 @@ double CommonContrast(const PairCounts& pairs, const std::vector<Transition>& tr
 void MeasureStrengths(const PairCounts& pairs, std::vector<Transition>& transitions)
 {
   const double common = CommonContrast(pairs, transitions);
-  const double homogeneous = HomogeneousWidth * pairs.GetBins();
+  const double homogeneous = pairs.HomogeneousWidth();
   pairs.ForEach([&](int upper, int lower, double count) {
     Transition* best = nullptr;
     double least = ContrastTolerance * common;
@@ -251,39 +127,17 @@ std::array<double, 2> RangeAround(
   return range;
 }
 
-bool IsUsable(vtkImageData* histogram)
+// A boundary in bins.
+struct Candidate
 {
-  vtkDataArray* values = histogram ? histogram->GetPointData()->GetScalars() : nullptr;
-  return values && values->GetNumberOfTuples() > 0 &&
-    histogram->GetDimensions()[0] == histogram->GetDimensions()[1];
-}
+  double Strength;
+  std::array<std::array<double, 2>, 2> Ranges;
+  double Softness;
+};
 
-double ScalarAt(vtkImageData* histogram, double bin)
+void AddTransitions(
+  const PairCounts& pairs, const std::vector<double>& materials, std::vector<Candidate>& candidates)
 {
-  return histogram->GetOrigin()[0] + (histogram->GetExtent()[0] + bin) * histogram->GetSpacing()[0];
-}
-}
-
-std::vector<double> FindMaterials(vtkImageData* histogram)
-{
-  std::vector<double> materials;
-  if (IsUsable(histogram))
-  {
-    materials = MaterialBins(PairCounts(histogram));
-    std::transform(materials.begin(), materials.end(), materials.begin(),
-      [&](double bin) { return ScalarAt(histogram, bin); });
-  }
-  return materials;
-}
-
-std::vector<LightingBoundary> FindBoundaries(vtkImageData* histogram, int count)
-{
-  if (!IsUsable(histogram))
-  {
-    return {};
-  }
-  const PairCounts pairs(histogram);
-  const std::vector<double> materials = MaterialBins(pairs);
   std::vector<Transition> transitions;
   for (std::size_t low = 0; low < materials.size(); ++low)
   {
@@ -293,24 +147,64 @@ std::vector<LightingBoundary> FindBoundaries(vtkImageData* histogram, int count)
     }
   }
   MeasureStrengths(pairs, transitions);
-  std::stable_sort(transitions.begin(), transitions.end(),
-    [](const Transition& a, const Transition& b) { return a.Strength > b.Strength; });
   const double contrast = CommonContrast(pairs, transitions);
-  std::vector<LightingBoundary> boundaries;
   for (const Transition& transition : transitions)
   {
-    const bool isStrong = transition.Strength > LeastStrength * transitions.front().Strength;
+    candidates.push_back({ transition.Strength,
+      { RangeAround(materials, transition.Low, transition.High, contrast),
+        RangeAround(materials, transition.High, transition.Low, contrast) },
+      Softness * (transition.High - transition.Low) });
+  }
+}
+
+void AddVarying(
+  const PairCounts& pairs, const std::vector<double>& materials, std::vector<Candidate>& candidates)
+{
+  for (const VaryingMaterial& material : FindVaryingMaterials(pairs, materials))
+  {
+    candidates.push_back({ material.Strength, { material.NeighbourRange, material.Range },
+      SoftnessOfVarying * pairs.HomogeneousWidth() });
+  }
+}
+
+double ScalarAt(vtkImageData* histogram, double bin)
+{
+  return histogram->GetOrigin()[0] + (histogram->GetExtent()[0] + bin) * histogram->GetSpacing()[0];
+}
+
+LightingBoundary BoundaryOf(vtkImageData* histogram, const Candidate& candidate)
+{
+  LightingBoundary boundary;
+  for (int side = 0; side < 2; ++side)
+  {
+    const std::array<double, 2>& bins = candidate.Ranges[side];
+    boundary.Materials[side].Range = { ScalarAt(histogram, bins[0]), ScalarAt(histogram, bins[1]) };
+  }
+  boundary.Softness = candidate.Softness * histogram->GetSpacing()[0];
+  return boundary;
+}
+}
+
+std::vector<LightingBoundary> FindBoundaries(vtkImageData* histogram, int count)
+{
+  if (!PairCounts::IsUsable(histogram))
+  {
+    return {};
+  }
+  const PairCounts pairs(histogram);
+  const std::vector<double> materials = FindMaterials(pairs);
+  std::vector<Candidate> candidates;
+  AddTransitions(pairs, materials, candidates);
+  AddVarying(pairs, materials, candidates);
+  std::stable_sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b) { return a.Strength > b.Strength; });
+  std::vector<LightingBoundary> boundaries;
+  for (const Candidate& candidate : candidates)
+  {
+    const bool isStrong = candidate.Strength > LeastStrength * candidates.front().Strength;
     if (isStrong && static_cast<int>(boundaries.size()) < count)
     {
-      LightingBoundary boundary;
-      const double ends[] = { transition.Low, transition.High };
-      for (int side = 0; side < 2; ++side)
-      {
-        const auto bins = RangeAround(materials, ends[side], ends[1 - side], contrast);
-        boundary.Materials[side].Range = { ScalarAt(histogram, bins[0]), ScalarAt(histogram, bins[1]) };
-      }
-      boundary.Softness = 0.05 * (transition.High - transition.Low) * histogram->GetSpacing()[0];
-      boundaries.push_back(boundary);
+      boundaries.push_back(BoundaryOf(histogram, candidate));
     }
   }
   return boundaries;

@@ -4,6 +4,7 @@
 #include "JsonDocument.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -16,12 +17,58 @@ namespace
 // Values in messages are cut here.
 const std::size_t LongestText = 60;
 
-std::string Text(const Json::Value& value)
+std::string InOneLine(const Json::Value& value)
 {
   Json::StreamWriterBuilder builder;
   builder["indentation"] = "";
-  const std::string text = Json::writeString(builder, value);
+  return Json::writeString(builder, value);
+}
+
+std::string Text(const Json::Value& value)
+{
+  const std::string text = InOneLine(value);
   return text.size() <= LongestText ? text : text.substr(0, LongestText) + "...";
+}
+
+// The shortest text that reads back as the same number.
+std::string ShortestText(double number)
+{
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
+}
+
+void Write(std::ostream& stream, const Json::Value& value, const std::string& indentation);
+
+// Elements in lines of their own, or, of arrays of numbers, in one.
+void WriteElements(std::ostream& stream, const Json::Value& value, const std::string& indentation)
+{
+  const bool isLine = value.isArray() &&
+    std::all_of(value.begin(), value.end(), [](const Json::Value& element) { return element.isNumeric(); });
+  const std::string next = indentation + "  ";
+  for (auto element = value.begin(); element != value.end(); ++element)
+  {
+    stream << (element == value.begin() ? ""
+                  : isLine              ? ", "
+                                        : ",")
+           << (isLine ? "" : "\n" + next)
+           << (value.isObject() ? Json::valueToQuotedString(element.name().c_str()) + ": " : "");
+    Write(stream, *element, next);
+  }
+  stream << (isLine || value.empty() ? "" : "\n" + indentation);
+}
+
+void Write(std::ostream& stream, const Json::Value& value, const std::string& indentation)
+{
+  if (value.isObject() || value.isArray())
+  {
+    stream << (value.isObject() ? "{" : "[");
+    WriteElements(stream, value, indentation);
+    stream << (value.isObject() ? "}" : "]");
+  }
+  else
+  {
+    stream << (value.isDouble() ? ShortestText(value.asDouble()) : InOneLine(value));
+  }
 }
 
 std::string Text(double number)
@@ -63,9 +110,9 @@ Json::Value ReadJsonObject(const char* fileName)
 
 std::string FormatJson(const Json::Value& value)
 {
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "  ";
-  return Json::writeString(builder, value) + "\n";
+  std::ostringstream text;
+  Write(text, value, "");
+  return text.str() + "\n";
 }
 
 void WriteJsonFile(const char* fileName, const Json::Value& value)

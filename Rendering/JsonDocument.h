@@ -23,6 +23,7 @@ struct JsonError : std::runtime_error
 Json::Value ParseJsonObject(const std::string& text);
 Json::Value ReadJsonObject(const char* fileName);
 
+// In lines, with the shortest text of each number that reads back as the same.
 std::string FormatJson(const Json::Value& value);
 void WriteJsonFile(const char* fileName, const Json::Value& value); // throws JsonError
 

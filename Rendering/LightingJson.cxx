@@ -14,7 +14,6 @@ namespace
 {
 const char* const RangeKeys[] = { "RangeA", "RangeB" };
 const char* const CurveKeys[] = { "CurveA", "CurveB" };
-const char* const CoefficientKeys[] = { "Ambient", "Diffuse", "Specular" };
 const double LargestSoftness = 1.0e30;
 const double LargestDimension = 4096.0;
 
@@ -60,7 +59,7 @@ Json::Value BoundaryToJson(const LightingBoundary& boundary)
   object["Softness"] = boundary.Softness;
   for (int i = 0; i < 3; ++i)
   {
-    object[CoefficientKeys[i]] = boundary.Coefficients[i];
+    object[CoefficientNames[i]] = boundary.Coefficients[i];
   }
   return object;
 }
@@ -83,7 +82,7 @@ LightingBoundary BoundaryFromJson(const JsonPart& object)
   boundary.Softness = object.Number("Softness", 0.0, LargestSoftness, 0.0);
   for (int i = 0; i < 3; ++i)
   {
-    boundary.Coefficients[i] = object.Number(CoefficientKeys[i], 0.0, 1.0, 0.0);
+    boundary.Coefficients[i] = object.Number(CoefficientNames[i], 0.0, 1.0, 0.0);
   }
   return boundary;
 }

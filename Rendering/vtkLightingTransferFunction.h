@@ -124,7 +124,8 @@ public:
    * A first guess: replaces the boundaries by the strongest ones of a histogram of pairs along the
    * gradient (vtkGradientAlignedHistogram), at most `number` of them, the strongest first. Materials are
    * the modes of its diagonal; a pair of them is a boundary where pairs are counted in the
-   * middle of its transition. Each range holds its material's scalar and none of another's; ambient,
+   * middle of its transition. All scalars beyond the outermost material are one more material, such as
+   * thin bone, if it has pairs with them and they have no homogeneous region. Each range holds its material's scalar and none of another's; ambient,
    * diffuse and specular are 0.2, 0.7 and 0.4. Returns how many were found: 0 for a volume without two
    * materials. An empty histogram, or one that is not square, is an error, and changes nothing.
    */

@@ -93,6 +93,45 @@ void CheckPhantom(const Phantom& phantom, Report& report)
     phantom.Name + ": the boundaries are those of the phantom");
 }
 
+// A thin shell in the inner one of two materials. What its middle has, varies with the direction: no other
+// scalars beyond the materials, and no homogeneous region.
+void CheckThinShell(double direction, double noise, Report& report)
+{
+  const Phantom phantom = { "thin shell", { 0.0, -direction * 100.0 }, { 24.0 }, 1.0, noise };
+  testing::Geometry geometry;
+  geometry.Extent = { 0, 63, 0, 63, 0, 63 };
+  vtkNew<vtkGradientAlignedHistogram> histogram;
+  histogram->SetInputData(testing::MakeImage(geometry, [&](const glm::dvec3& p) {
+    const glm::dvec3 ray = p - glm::dvec3(31.5);
+    const double distance = (glm::length(ray) - 14.0) / 1.2;
+    const double middle = 110.0 + 70.0 * std::sin(0.2 * p.x) + 70.0 * std::cos(0.23 * p.y);
+    return Shells(phantom, p) + direction * middle * std::exp(-0.5 * distance * distance);
+  }));
+  histogram->Update();
+  vtkNew<vtkLightingTransferFunction> function;
+  const int count = function->InitializeFromHistogram(histogram->GetOutput(), 3);
+  int surfaces = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    surfaces += MaterialsOf(function, i, phantom.Materials) == std::make_pair(0, 1) ? 1 : 0;
+  }
+  report.Check(
+    count == 2 && surfaces == 1, "the surface and a thin shell towards " + std::to_string(direction));
+  const double least = direction * 40.0; // of what the shell should have beyond its neighbour
+  const double most = direction * 200.0;
+  for (const double scalar : { least, most })
+  {
+    double k[3];
+    function->Evaluate(scalar, 0.0, k);
+    report.CheckAtLeast(k[1], 0.5, "light between the shell and its neighbour");
+    function->Evaluate(scalar, scalar, k);
+    report.CheckAtMost(k[1], 0.0, "light within the shell");
+  }
+  double homogeneous[3];
+  function->Evaluate(0.0, 0.0, homogeneous);
+  report.CheckAtMost(homogeneous[1], 0.0, "light within its neighbour");
+}
+
 // Counts near the boundary have light, those of homogeneous regions none.
 void CheckLight(Report& report)
 {
@@ -193,6 +232,11 @@ int TestBoundarySearch(int, char*[])
   for (const Phantom& phantom : phantoms)
   {
     CheckPhantom(phantom, report);
+  }
+  for (const double direction : { 1.0, -1.0 })
+  {
+    CheckThinShell(direction, 0.0, report);
+    CheckThinShell(direction, 0.02, report);
   }
   CheckLight(report);
   CheckNothingToFind(report);

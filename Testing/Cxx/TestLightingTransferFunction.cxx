@@ -327,6 +327,19 @@ void CheckJson(Check& check, const std::string& folder)
     "a curve and a range may be mixed");
 }
 
+// The shortest number that reads back the same, and no digits of its binary fraction.
+void CheckJsonNumbers(Check& check)
+{
+  vtkNew<Function> function;
+  Add(function, 0.0, 90.0, -100.25, 1.0 / 3.0, 10.0, { 0.2, 0.7, 0.4 });
+  const std::string text = function->WriteJsonString();
+  for (const char* part : { "\"Ambient\": 0.2,", "\"Diffuse\": 0.7,", "\"Specular\": 0.4", "[0, 90]",
+         "[-100.25, 0.3333333333333333]", "\"Softness\": 10" })
+  {
+    check.That(text.find(part) != std::string::npos, std::string(part) + " is in " + text);
+  }
+}
+
 void CheckJsonErrors(Check& check, const std::string& folder)
 {
   struct Case
@@ -392,6 +405,7 @@ int TestLightingTransferFunction(int argc, char* argv[])
   CheckTables(check);
   CheckSettings(check);
   CheckJson(check, temporary);
+  CheckJsonNumbers(check);
   CheckJsonErrors(check, temporary);
   return check.ExitCode();
 }
