@@ -19,14 +19,16 @@ const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 const double Infinity = std::numeric_limits<double>::infinity();
 
 // One warning with the part in it.
-void CheckSaidOnce(Check& check, const std::string& name, Property* property, const std::string& part, const Change& change)
+void CheckSaidOnce(
+  Check& check, const std::string& name, Property* property, const std::string& part, const Change& change)
 {
   const Warnings warnings(property);
   const std::size_t before = warnings.Texts.size();
   change(property);
   const std::size_t count = warnings.Texts.size() - before;
   check.That(count == 1, name + ": said " + std::to_string(count) + " times, not once");
-  check.That(count > 0 && warnings.Texts.back().find(part) != std::string::npos, name + ": " + part + " is not told");
+  check.That(
+    count > 0 && warnings.Texts.back().find(part) != std::string::npos, name + ": " + part + " is not told");
   property->RemoveObserver(warnings.Command);
 }
 
@@ -85,7 +87,8 @@ void CheckChoice(Check& check, const Choice& choice)
   }
   for (const int wrong : { -1, count })
   {
-    CheckUnchanged(check, name, name + " " + std::to_string(wrong), [&](Property* p) { (p->*choice.Set)(wrong); });
+    CheckUnchanged(
+      check, name, name + " " + std::to_string(wrong), [&](Property* p) { (p->*choice.Set)(wrong); });
   }
 }
 
@@ -97,22 +100,26 @@ void CheckUnitInterval(Check& check)
   opacity->AddPoint(-10.0, 0.0);
   opacity->AddPoint(40.0, 1.0);
   property->SetScalarOpacity(opacity);
-  check.Near("a hundredth of the function's range", property->GetEffectiveScalarOpacityUnitInterval(), 0.5, 0.0);
+  check.Near(
+    "a hundredth of the function's range", property->GetEffectiveScalarOpacityUnitInterval(), 0.5, 0.0);
   property->SetScalarOpacityUnitInterval(3.0);
   check.Near("a given interval", property->GetEffectiveScalarOpacityUnitInterval(), 3.0, 0.0);
   for (const double wrong : { -2.0, -Infinity })
   {
     property->SetScalarOpacityUnitInterval(3.0);
-    CheckSaidOnce(check, "negative interval", property, "[0, ", [wrong](Property* p) { p->SetScalarOpacityUnitInterval(wrong); });
+    CheckSaidOnce(check, "negative interval", property, "[0, ",
+      [wrong](Property* p) { p->SetScalarOpacityUnitInterval(wrong); });
     check.Near("negative interval", property->GetScalarOpacityUnitInterval(), 0.0, 0.0);
   }
-  CheckUnchanged(check, "interval that is no number", "not a number", [](Property* p) { p->SetScalarOpacityUnitInterval(NotANumber); });
+  CheckUnchanged(check, "interval that is no number", "not a number",
+    [](Property* p) { p->SetScalarOpacityUnitInterval(NotANumber); });
   opacity->RemoveAllPoints();
   opacity->AddPoint(5.0, 0.5);
   check.Near("a function of one node", property->GetEffectiveScalarOpacityUnitInterval(), 0.0, 0.0);
 }
 
-void CheckSurface(Check& check, const std::string& name, Property* property, int index, const std::vector<double>& expected)
+void CheckSurface(
+  Check& check, const std::string& name, Property* property, int index, const std::vector<double>& expected)
 {
   check.Near(name + ": value", property->GetIsosurfaceValue(index), expected[0], 0.0);
   check.Near(name + ": opacity", property->GetIsosurfaceOpacity(index), expected[1], 0.0);
@@ -162,9 +169,12 @@ void CheckRefusedIsosurfaces(Check& check)
   {
     const std::string told = "no isosurface " + std::to_string(index);
     CheckUnchanged(check, "removed", told, [index](Property* p) { p->RemoveIsosurface(index); });
-    CheckUnchanged(check, "value", told, [&](Property* p) { check.Near(told, p->GetIsosurfaceValue(index), 0.0, 0.0); });
-    CheckUnchanged(check, "opacity", told, [&](Property* p) { check.Near(told, p->GetIsosurfaceOpacity(index), 0.0, 0.0); });
-    CheckUnchanged(check, "whether coloured", told, [&](Property* p) { check.That(!p->GetIsosurfaceHasColor(index), told); });
+    CheckUnchanged(
+      check, "value", told, [&](Property* p) { check.Near(told, p->GetIsosurfaceValue(index), 0.0, 0.0); });
+    CheckUnchanged(check, "opacity", told,
+      [&](Property* p) { check.Near(told, p->GetIsosurfaceOpacity(index), 0.0, 0.0); });
+    CheckUnchanged(check, "whether coloured", told,
+      [&](Property* p) { check.That(!p->GetIsosurfaceHasColor(index), told); });
     CheckUnchanged(check, "colour", told, [index](Property* p) {
       double rgb[3] = {};
       p->GetIsosurfaceColor(index, rgb);
@@ -212,9 +222,9 @@ void CheckCopies(Check& check)
   source->SetTransmittedLightToDiffuse();
   source->AddIsosurface(7.0, 0.1, 0.2, 0.3, 0.4);
   source->AddIsosurface(-2.0, 0.9);
-  for (const char* told : { "IntegrationSpace: Data", "Classification: PreIntegrated", "ScalarOpacityUnitInterval: 0.125",
-         "Silhouette: Clamped", "TransmittedLight: Diffuse", "value 7, opacity 0.4, colour (0.1, 0.2, 0.3)",
-         "value -2, opacity 0.9, colour of the data" })
+  for (const char* told : { "IntegrationSpace: Data", "Classification: PreIntegrated",
+         "ScalarOpacityUnitInterval: 0.125", "Silhouette: Clamped", "TransmittedLight: Diffuse",
+         "value 7, opacity 0.4, colour (0.1, 0.2, 0.3)", "value -2, opacity 0.9, colour of the data" })
   {
     check.That(TextOf(source).find(told) != std::string::npos, std::string(told) + " is not printed");
   }
