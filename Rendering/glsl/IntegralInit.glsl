@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
   // Place Shading::Init. The ray begins where it enters the volume; the first sample is VTK's.
+  g_terminatePos = opticsRayEnd;
   float opticsStepSquared = dot(g_dirStep, g_dirStep);
   g_opticsPlace = dot(g_dataPos - g_rayOrigin, g_dirStep) / opticsStepSquared;
   g_opticsEnd = opticsPlaceOfEnd(g_terminatePos);
