@@ -35,6 +35,7 @@
 #include "IntegralDec.h"
 #include "IntegralImpl.h"
 #include "IntegralInit.h"
+#include "IntegralPath.h"
 #include "IntegralRay.h"
 #include "IntegralTerminate.h"
 #include "Isosurfaces.h"
@@ -118,6 +119,7 @@ const Place BaseDec = { "//VTK::Base::Dec", true };
 const Place BaseInit = { "//VTK::Base::Init", true };
 const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", true };
 const Place ComputeRayDirectionDec = { "//VTK::ComputeRayDirection::Dec", true };
+const Place ClippingImpl = { "//VTK::Clipping::Impl", true };
 const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
@@ -226,6 +228,7 @@ const Row Table[] = {
   { F::HiddenHalf, &ComputeRayDirectionDec, HiddenHalf },
   { F::HiddenByCropping, &ComputeRayDirectionDec, HiddenByCropping },
   { F::Integral, &ComputeRayDirectionDec, IntegralRay },
+  { F::Integral, &ClippingImpl, IntegralPath },
   { F::Integral, &ShadingInit, IntegralInit },
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
@@ -323,8 +326,8 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
 bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features)
 {
   bool found = InsertLighting(fragment, features);
-  for (const Place* place :
-    { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ShadingInit, &ShadingImpl, &TerminateImpl })
+  for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
+         &ShadingImpl, &TerminateImpl })
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }

@@ -9,7 +9,6 @@
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
-#include "vtkColorTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
@@ -28,6 +27,20 @@ void InterpolateWithin(vtkTextureObject* texture)
   texture->SetMinificationFilter(vtkTextureObject::Linear);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
 }
+
+bool AreEqual(vtkColorTransferFunction* a, vtkColorTransferFunction* b)
+{
+  bool isEqual = a->GetSize() == b->GetSize() && a->GetColorSpace() == b->GetColorSpace() &&
+    a->GetClamping() == b->GetClamping();
+  for (int i = 0; isEqual && i < a->GetSize(); ++i)
+  {
+    double nodes[2][6];
+    a->GetNodeValue(i, nodes[0]);
+    b->GetNodeValue(i, nodes[1]);
+    isEqual = std::equal(nodes[0], nodes[0] + 6, nodes[1]);
+  }
+  return isEqual;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -38,11 +51,42 @@ void PreIntegratedTexture::SetFunctions(const OpticsScene& scene)
   TransferFunctionTerm::GetOpacityRange(scene, range);
   this->Table->SetRange(range);
   this->Table->SetOpacityFunction(property->GetScalarOpacity());
-  this->Table->SetColorFunction(property->GetRGBTransferFunction());
+  this->Table->SetColorFunction(this->ColorInRange(scene, range));
   this->Table->SetSize(scene.Mapper->GetPreIntegrationTableSize());
   this->Table->SetUnitInterval(scene.Optics->GetScalarOpacityUnitInterval());
   this->Table->SetSegmentLength(
-    IntegratesInData(scene) ? 0.0 : scene.Mapper->GetSampleDistance() / UnitDistance(scene));
+    IntegratesInData(scene) ? 0.0 : scene.Mapper->GetFrameSampleDistance(scene.Volume) / UnitDistance(scene));
+}
+
+//------------------------------------------------------------------------------
+// VTK stretches the functions over the range of the scalars, each as its own range type says: the table's
+// colour function is the one that has the colours at the opacity function's scalars.
+vtkColorTransferFunction* PreIntegratedTexture::ColorInRange(const OpticsScene& scene, const double range[2])
+{
+  vtkColorTransferFunction* source = scene.Volume->GetProperty()->GetRGBTransferFunction();
+  double from[2];
+  TransferFunctionTerm::GetColorRange(scene, from);
+  const bool isSame = (from[0] == range[0] && from[1] == range[1]) || !(from[1] > from[0]);
+  if (isSame)
+  {
+    return source;
+  }
+  vtkNew<vtkColorTransferFunction> stretched;
+  stretched->DeepCopy(source);
+  stretched->RemoveAllPoints();
+  const double stretch = (range[1] - range[0]) / (from[1] - from[0]);
+  for (int i = 0; i < source->GetSize(); ++i)
+  {
+    double node[6];
+    source->GetNodeValue(i, node);
+    stretched->AddRGBPoint(
+      range[0] + (node[0] - from[0]) * stretch, node[1], node[2], node[3], node[4], node[5]);
+  }
+  if (!AreEqual(stretched, this->Stretched))
+  {
+    this->Stretched->DeepCopy(stretched);
+  }
+  return this->Stretched;
 }
 
 //------------------------------------------------------------------------------

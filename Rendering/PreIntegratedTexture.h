@@ -10,6 +10,7 @@
 #include "OpticsScene.h"
 #include "vtkPreIntegratedTable.h"
 
+#include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
@@ -29,10 +30,12 @@ public:
 
 private:
   void SetFunctions(const OpticsScene& scene);
+  vtkColorTransferFunction* ColorInRange(const OpticsScene& scene, const double range[2]);
   void UploadEntries(const OpticsScene& scene);
   void UploadDepths(const OpticsScene& scene);
 
   vtkNew<vtkPreIntegratedTable> Table;
+  vtkNew<vtkColorTransferFunction> Stretched;
   vtkSmartPointer<vtkTextureObject> Texture;
   vtkSmartPointer<vtkTextureObject> DepthsBehind;
   vtkMTimeType UploadedTime = 0;

@@ -22,6 +22,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -395,6 +397,32 @@ void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
   const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
   range[0] = loaded[0];
   range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+// VTK keeps it to itself; the same rules. For images.
+double vtkOpticsVolumeMapper::GetFrameSampleDistance(vtkVolume* volume)
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  double spacing[3];
+  image->GetSpacing(spacing);
+  if (this->AutoAdjustSampleDistances)
+  {
+    double least = VTK_DOUBLE_MAX;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double column[3];
+      for (int row = 0; row < 3; ++row)
+      {
+        column[row] = volume->GetMatrix()->GetElement(row, axis);
+      }
+      least = std::min(least, std::abs(spacing[axis]) * vtkMath::Norm(column));
+    }
+    return this->ReductionFactor > 0.0 && this->ReductionFactor < 1.0 ? least / this->ReductionFactor : least;
+  }
+  return this->LockSampleDistanceToInputSpacing
+    ? this->SpacingAdjustedSampleDistance(spacing, image->GetExtent())
+    : this->SampleDistance;
 }
 
 //------------------------------------------------------------------------------

@@ -261,6 +261,7 @@ public:
   void Say(const std::string& message); // as a warning, once
   bool IsInteractive(vtkRenderer* renderer);
   void GetLoadedScalarRange(int component, double range[2]);
+  double GetFrameSampleDistance(vtkVolume* volume); // whatever VTK adjusts it to
 #endif
 
 protected:

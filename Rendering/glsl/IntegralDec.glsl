@@ -10,6 +10,8 @@ bool g_opticsWasHidden;  // the sample before this one
 bool g_opticsHasFront;   // whether there is one and it has a scalar
 float g_opticsFront;     // its scalar
 float g_opticsFrontPlace;
+vec3 g_opticsSeen;       // of this sample's segment: the first isosurface, or else its end
+bool g_opticsSeesSurface;
 
 vec4 opticsScalarsAt(vec3 texPosition)
 {

@@ -48,11 +48,14 @@ void opticsIntegrateTo(float place)
   }
 }
 
-// The segment that ends at g_dataPos, as far as it is visible; VTK's classification of a sample belongs to it.
+// The segment that ends at g_dataPos, as far as it is visible; VTK's classification of a sample belongs to it. Leaves
+// behind where something is seen, for the depths that VTK takes there.
 void opticsSample()
 {
   g_srcColor = vec4(0.0);
   vec3 position = g_dataPos;
+  g_opticsSeen = position;
+  g_opticsSeesSurface = false;
   float place = g_opticsPlace;
   float steps = place - g_opticsFrontPlace;
   bool isLeaving = g_skip && !g_opticsWasHidden;
@@ -73,5 +76,5 @@ void opticsSample()
   }
   g_opticsWasHidden = g_skip;
   g_opticsFrontPlace = g_opticsPlace;
-  g_dataPos = position;
+  g_dataPos = g_opticsSeen;
 }

@@ -7,9 +7,5 @@
       break;
       }
     ++g_currentT;
-    ++g_opticsPlace;
-    if (g_opticsPlace > g_opticsEnd)
-      {
-      g_opticsPlace = g_opticsEnd;
-      g_dataPos = g_rayOrigin + g_dirStep * g_opticsEnd;
-      }
+    g_opticsPlace = min(g_opticsPlace + 1.0, g_opticsEnd);
+    g_dataPos = g_rayOrigin + g_dirStep * g_opticsPlace;

@@ -45,6 +45,8 @@ void opticsIsosurfaceToEye(int index, vec3 texPosition)
   {
     vec3 end = g_dataPos;
     g_dataPos = texPosition;
+    g_opticsSeen = g_opticsSeesSurface ? g_opticsSeen : texPosition;
+    g_opticsSeesSurface = true;
     g_opticsIsSurface = true;
     opticsTransmitSurface(surface.a);
     vec4 scalars = opticsScalarsAt(texPosition);

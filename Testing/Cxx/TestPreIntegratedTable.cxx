@@ -35,6 +35,22 @@ void TestConstantFunction(Check& check)
   }
 }
 
+// Where front and back are the same a segment has a length all the same.
+void TestConstantFunctionInSpace(Check& check)
+{
+  TestTable t(3);
+  t.Color->AddRGBPoint(0.5, 0.2, 0.4, 0.8);
+  t.Opacity->AddPoint(0.5, 0.3);
+  t.Table->SetSegmentLength(2.0);
+  t.Table->Update();
+  const double mean = -std::log(0.7);
+  for (int i = 0; i < 9; ++i)
+  {
+    check.Near("mean per unit distance", t.Entry(i / 3, i % 3)[3], mean, FloatRounding * mean);
+    check.Near("colour in physical space", t.Entry(i / 3, i % 3)[1], 0.4, FloatRounding);
+  }
+}
+
 // A peak that stands for an isosurface of opacity one half: so opaque is every path across it, whatever
 // the table's size and the number of steps, however narrow it is.
 void TestPeak(Check& check)
@@ -242,6 +258,7 @@ int TestPreIntegratedTable(int, char*[])
 {
   Check check;
   TestConstantFunction(check);
+  TestConstantFunctionInSpace(check);
   TestPeak(check);
   TestDiagonal(check);
   TestTotalAttenuation(check);
