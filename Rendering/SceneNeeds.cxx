@@ -58,7 +58,7 @@ std::string FindUnsupported(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 std::string FindUnsupportedByIntegral(const OpticsScene& scene)
 {
-  const std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupported(scene);
   if (!reason.empty())
   {
     return reason;
@@ -123,7 +123,7 @@ bool WantsClassification(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 std::string FindUnsupportedByClassification(const OpticsScene& scene)
 {
-  const std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupported(scene);
   if (!reason.empty())
   {
     return reason;
