@@ -62,8 +62,9 @@ GallerySection UniformOpacitySection()
   section.Pictures.push_back({ "lighting-uniform", "Light everywhere", "cranium", everywhere });
 
   PictureSettings opaque = everywhere;
-  opaque.Function.Opacity = { { -1024.0, 0.0 }, { -550.0, 0.0 }, { -400.0, 0.1 }, { -250.0, 0.002 },
-    { 150.0, 0.002 }, { 280.0, 0.3 }, { 500.0, 0.3 }, { 700.0, 0.02 }, { 3100.0, 0.02 } };
+  opaque.Step = 0.25; // short enough for steep opacity: longer ones leave rings
+  opaque.Function.Opacity = { { -1024.0, 0.0 }, { -600.0, 0.0 }, { -400.0, 0.05 }, { -250.0, 0.002 },
+    { 120.0, 0.002 }, { 380.0, 0.3 }, { 550.0, 0.3 }, { 750.0, 0.02 }, { 3100.0, 0.02 } };
   section.Pictures.push_back({ "lighting-opacity", "Opacity at the boundaries", "cranium", opaque });
 
   PictureSettings chosen = UniformCranium(0.012);

@@ -45,13 +45,15 @@ void AddSun(TestScene& scene)
   scene.Renderer->AddLight(sun);
 }
 
-// More opaque inside and outside than between: its inner side has densities that fall with the scalar.
+// A thin shell before a ball: in the lit boundary the opacity falls with the scalar, then rises, so that
+// light fades and changes sides.
 void ShowShell(TestScene& scene)
 {
   scene.Opacity->RemoveAllPoints();
-  scene.Opacity->AddPoint(0.1, 0.2);
-  scene.Opacity->AddPoint(0.5, 0.02);
-  scene.Opacity->AddPoint(0.9, 0.4);
+  scene.Opacity->AddPoint(0.35, 0.0);
+  scene.Opacity->AddPoint(0.45, 0.1);
+  scene.Opacity->AddPoint(0.6, 0.05);
+  scene.Opacity->AddPoint(0.9, 0.3);
 }
 
 // In data space light is that of the segment's end.

@@ -7,6 +7,7 @@
 #include "ReferencePictures.h"
 #include "ShaderText.h"
 #include "SmallScene.h"
+#include "SupportedSettings.h"
 #include "TestScene.h"
 #include "vtkMultiSampleClassification.h"
 
@@ -112,9 +113,10 @@ void CheckReference(Check& check, int gradient)
 }
 
 // Points near the surface have one side in the ball; with a rule for those that do not, it is hollow.
-void CheckSides(Check& check)
+void CheckSides(Check& check, int samples)
 {
   SmallScene scene;
+  scene.Optics->SetLightingSamples(samples);
   scene.Property->ShadeOff();
   scene.Opacity->RemoveAllPoints();
   scene.Opacity->AddPoint(0.0, 0.0);
@@ -180,12 +182,14 @@ int TestMultiSampleTerm(int, char*[])
   CheckRules(check, true);
   CheckReference(check, vtkOpticsVolumeMapper::Automatic);
   CheckReference(check, vtkOpticsVolumeMapper::CentralDifferences);
-  CheckSides(check);
+  CheckSides(check, vtkOpticsVolumeMapper::Fetched);
+  CheckSides(check, vtkOpticsVolumeMapper::Extrapolated);
   CheckLinks(check);
   CheckText(check);
   CheckRefused(check, "data space", [](TestScene& s) { s.Property->SetIntegrationSpaceToData(); });
   CheckRefused(
     check, "pre-integration", [](TestScene& s) { s.Property->SetClassificationToPreIntegrated(); });
+  CheckRefused(check, "2D transfer function", Use2DFunction);
   CheckRefused(check, "Ward", [](TestScene& s) { s.Property->SetReflectanceModelToWard(); });
   CheckRefused(check, "maximum intensity", [](TestScene& s) { s.Mapper->SetBlendModeToMaximumIntensity(); });
   return check.ExitCode();
