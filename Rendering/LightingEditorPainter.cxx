@@ -17,7 +17,8 @@ namespace volumeoptics
 namespace
 {
 const int FontSize = 11;
-const int Ticks = 5;
+const int LargestNumberOfTicks = 5;
+const float LeastTickDistance = 44.0F; // room for a number
 const float TickLength = 4.0F;
 const float LeastBox = 4.0F; // pixels, so that it can be grabbed
 const unsigned char BandOpacity = 60;
@@ -52,12 +53,18 @@ void LightingEditorPainter::DrawPicture(const vtkRectf& rectangle, vtkImageData*
   this->Painter->DrawImage(rectangle, picture);
 }
 
-void LightingEditorPainter::DrawText(const std::string& text, float x, float y, bool isLeft) const
+void LightingEditorPainter::SetFont() const
 {
   vtkTextProperty* property = this->Painter->GetTextProp();
   property->SetFontFamilyToArial();
   property->SetFontSize(FontSize);
   property->SetColor(0.85, 0.87, 0.9);
+}
+
+void LightingEditorPainter::DrawText(const std::string& text, float x, float y, bool isLeft) const
+{
+  this->SetFont();
+  vtkTextProperty* property = this->Painter->GetTextProp();
   property->SetJustification(isLeft ? VTK_TEXT_LEFT : VTK_TEXT_CENTERED);
   property->SetVerticalJustificationToCentered();
   this->Painter->DrawString(x, y, text.c_str());
@@ -78,9 +85,11 @@ void LightingEditorPainter::DrawAxes() const
       const vtkVector2f last = layout.Point(across, layout.Range[1]);
       this->Painter->DrawLine(first.GetX(), first.GetY(), last.GetX(), last.GetY());
     }
-    for (int i = 0; i < Ticks; ++i)
+    const int intervals =
+      std::clamp(static_cast<int>(layout.Length() / LeastTickDistance), 1, LargestNumberOfTicks - 1);
+    for (int i = 0; i <= intervals; ++i)
     {
-      const double scalar = layout.Range[0] + i * (layout.Range[1] - layout.Range[0]) / (Ticks - 1);
+      const double scalar = layout.Range[0] + i * (layout.Range[1] - layout.Range[0]) / intervals;
       const vtkVector2f from = layout.Point(edge, scalar);
       const vtkVector2f to = layout.Point(edge + outward * TickLength, scalar);
       const vtkVector2f text = layout.Point(edge + outward * (layout.VerticalAxes ? 20.0 : 12.0), scalar);
@@ -186,14 +195,32 @@ void LightingEditorPainter::DrawTrace() const
   }
 }
 
-void LightingEditorPainter::DrawStatus(float x, float y) const
+void LightingEditorPainter::DrawLongest(
+  const std::vector<std::string>& texts, float x, float y, float width, bool isLeft) const
 {
-  const int boundary = this->Editor.GetSelected();
-  if (boundary < 0)
+  for (const std::string& text : texts)
   {
-    this->DrawText("Drag across: new boundary", x, y, true);
-    return;
+    this->SetFont();
+    float bounds[4]; // x, y, width, height
+    this->Painter->ComputeStringBounds(text.c_str(), bounds);
+    if (bounds[2] <= width)
+    {
+      this->DrawText(text, x, y, isLeft);
+      return;
+    }
   }
+}
+
+std::vector<std::string> LightingEditorPainter::Help() const
+{
+  const std::string draw = "Drag from axis to axis: new boundary";
+  const std::string more = draw + "   click a box: select it";
+  return { more + "   i: guess   h: histograms   z: undo", more + "   i: guess", draw,
+    "Drag across: new boundary", "Drag across" };
+}
+
+std::vector<std::string> LightingEditorPainter::Coefficients(int boundary) const
+{
   static const char* const names[] = { "ka", "kd", "ks" };
   LightingCoefficients k;
   this->Editor.GetFunction()->GetCoefficients(boundary, k.data());
@@ -203,6 +230,14 @@ void LightingEditorPainter::DrawStatus(float x, float y) const
     const std::string value = std::string(names[i]) + " " + Number(k[i]);
     text += i == this->Editor.GetCoefficient() ? "[" + value + "]  " : value + "  ";
   }
-  this->DrawText(text + "soft " + Number(this->Editor.GetFunction()->GetSoftness(boundary)), x, y, true);
+  const std::string all = text + "soft " + Number(this->Editor.GetFunction()->GetSoftness(boundary));
+  const std::string keys = "   (Up, Down: change   c: next";
+  return { all + keys + "   +, -: soft   Delete: remove)", all + keys + ")", all, text };
+}
+
+void LightingEditorPainter::DrawStatus(float x, float y, float width) const
+{
+  const int boundary = this->Editor.GetSelected();
+  this->DrawLongest(boundary < 0 ? this->Help() : this->Coefficients(boundary), x, y, width, true);
 }
 }

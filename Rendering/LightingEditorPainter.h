@@ -11,6 +11,7 @@
 #include "vtkRect.h"
 
 #include <string>
+#include <vector>
 
 class vtkContext2D;
 class vtkImageData;
@@ -38,9 +39,16 @@ public:
   void DrawTrace() const;
   // Text centred on a point.
   void DrawText(const std::string& text, float x, float y, bool isLeft = false) const;
-  void DrawStatus(float x, float y) const;
+  // The first of the texts that is not wider; none if all are.
+  void DrawLongest(
+    const std::vector<std::string>& texts, float x, float y, float width, bool isLeft = false) const;
+  // What the selected boundary has, or what can be done without one.
+  void DrawStatus(float x, float y, float width) const;
 
 private:
+  void SetFont() const;
+  std::vector<std::string> Help() const;
+  std::vector<std::string> Coefficients(int boundary) const;
   void DrawBand(int boundary) const;
   void DrawBox(int boundary, int axis) const;
 

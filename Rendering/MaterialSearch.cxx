@@ -20,6 +20,8 @@ const double LeastMaterial = 0.002;
 // Beyond its neighbour the diagonal of a varying material stays below this share of the neighbour's: in
 // noise and in ramps all scalars are as homogeneous as any other.
 const double LargestDiagonal = 0.1;
+// Materials hold this share of the diagonal, modes by chance less.
+const double LeastShareInModes = 0.5;
 // Where a varying material is looked for, where its range begins, and where its neighbour's ends: distances
 // from its neighbour relative to the widest pair of one material. The softness has room between them.
 const double BeyondNeighbour = 2.0;
@@ -78,13 +80,50 @@ double CountsBeyond(const PairCounts& pairs, double neighbour, int direction)
   return counts;
 }
 
-std::array<double, 2> Ordered(double a, double b)
+double MassBeyond(
+  const PairCounts& pairs, const std::vector<double>& diagonal, double neighbour, int direction)
 {
-  return { std::min(a, b), std::max(a, b) };
-}
+  const double distance = BeyondNeighbour * pairs.HomogeneousWidth();
+  double mass = 0.0;
+  for (int bin = 0; bin < pairs.GetBins(); ++bin)
+  {
+    mass += direction * (bin - neighbour) > distance ? diagonal[bin] : 0.0;
+  }
+  return mass;
 }
 
-std::vector<double> FindMaterials(const PairCounts& pairs)
+bool IsVarying(const PairCounts& pairs, double neighbour, int direction)
+{
+  return CountsBeyond(pairs, neighbour, direction) > LeastMaterial * pairs.Total() &&
+    DiagonalBeyond(pairs, neighbour, direction) < LargestDiagonal;
+}
+
+// A varying material has modes, too, by chance: what is beyond a material is none if the diagonal's counts
+// there are more between the modes than in them, and fewer than the pairs with this material.
+void RemoveModesOfVarying(const PairCounts& pairs, int direction, std::vector<double>& materials)
+{
+  const std::vector<double> diagonal = pairs.Diagonal();
+  const std::vector<double> all = materials;
+  for (const double neighbour : all)
+  {
+    const auto isBeyond = [&](double material) { return direction * (material - neighbour) > 0.0; };
+    double inModes = 0.0;
+    for (const double material : materials)
+    {
+      const int bin = static_cast<int>(std::lround(material));
+      inModes += isBeyond(material) ? MassAround(diagonal, bin, ReachOfMode(pairs)).first : 0.0;
+    }
+    const bool isByChance = inModes > 0.0 && inModes < CountsBeyond(pairs, neighbour, direction) &&
+      inModes < LeastShareInModes * MassBeyond(pairs, diagonal, neighbour, direction);
+    if (isByChance && IsVarying(pairs, neighbour, direction))
+    {
+      materials.erase(std::remove_if(materials.begin(), materials.end(), isBeyond), materials.end());
+    }
+  }
+}
+
+// The modes of the diagonal, rising.
+std::vector<double> ModesOf(const PairCounts& pairs)
 {
   const std::vector<double> diagonal = pairs.Diagonal();
   const std::vector<double> profile = Smoothed(diagonal, DiagonalSmoothing * pairs.GetBins());
@@ -110,6 +149,22 @@ std::vector<double> FindMaterials(const PairCounts& pairs)
   return materials;
 }
 
+std::array<double, 2> Ordered(double a, double b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+}
+
+std::vector<double> FindMaterials(const PairCounts& pairs)
+{
+  std::vector<double> materials = ModesOf(pairs);
+  for (const int direction : { -1, 1 })
+  {
+    RemoveModesOfVarying(pairs, direction, materials);
+  }
+  return materials;
+}
+
 std::vector<VaryingMaterial> FindVaryingMaterials(
   const PairCounts& pairs, const std::vector<double>& materials)
 {
@@ -118,15 +173,12 @@ std::vector<VaryingMaterial> FindVaryingMaterials(
   for (const int direction : { -1, 1 })
   {
     const double neighbour = materials.empty() ? 0.0 : direction < 0 ? materials.front() : materials.back();
-    const double counts = CountsBeyond(pairs, neighbour, direction);
-    const bool isFound = !materials.empty() && counts > LeastMaterial * pairs.Total() &&
-      DiagonalBeyond(pairs, neighbour, direction) < LargestDiagonal;
-    if (isFound)
+    if (!materials.empty() && IsVarying(pairs, neighbour, direction))
     {
       const double end = direction < 0 ? -0.5 : pairs.GetBins() - 0.5;
-      found.push_back(
-        { neighbour, direction, counts, Ordered(neighbour + direction * StartOfVarying * width, end),
-          Ordered(neighbour - direction * width, neighbour + direction * EndOfNeighbour * width) });
+      found.push_back({ CountsBeyond(pairs, neighbour, direction),
+        Ordered(neighbour + direction * StartOfVarying * width, end),
+        Ordered(neighbour - direction * width, neighbour + direction * EndOfNeighbour * width) });
     }
   }
   return found;

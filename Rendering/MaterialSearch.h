@@ -19,10 +19,7 @@ std::vector<double> FindMaterials(const PairCounts& pairs);
 // one at each place: its pairs have one end at its neighbour and the other one anywhere beyond.
 struct VaryingMaterial
 {
-  double Neighbour;
-  int Direction;   // 1: above its neighbour, -1: below
-  double Strength; // counts of pairs with the neighbour
-
+  double Strength;                      // counts of pairs with the neighbour
   std::array<double, 2> Range;          // its own
   std::array<double, 2> NeighbourRange; // apart from it
 };

@@ -239,12 +239,14 @@ bool vtkLightingTransferFunctionItem::Paint(vtkContext2D* context)
   painter.DrawAxes();
   painter.DrawBoundaries();
   painter.DrawTrace();
+  const float width = lines.GetWidth() - 2.0F * volumeoptics::PanelMargin;
   painter.DrawStatus(
-    lines.GetX() + volumeoptics::PanelMargin, lines.GetY() + 0.5F * volumeoptics::TitleHeight);
+    lines.GetX() + volumeoptics::PanelMargin, lines.GetY() + 0.5F * volumeoptics::TitleHeight, width);
   const float title = lines.GetY() + lines.GetHeight() - 0.5F * volumeoptics::TitleHeight;
-  painter.DrawText(
-    this->VerticalAxes ? "S2 downhill (left), S1 uphill (right)" : "S2 downhill (above), S1 uphill (below)",
-    lines.GetX() + 0.5F * lines.GetWidth(), title);
+  painter.DrawLongest(this->VerticalAxes
+      ? std::vector<std::string>{ "S2 downhill (left), S1 uphill (right)", "left S2, right S1" }
+      : std::vector<std::string>{ "S2 downhill (above), S1 uphill (below)", "above S2, below S1" },
+    lines.GetX() + 0.5F * lines.GetWidth(), title, width);
   if (this->ShowHistograms)
   {
     const vtkRectf* const rectangles[] = { &internal.Panels.Gradients, &internal.Panels.Pairs };
@@ -253,8 +255,8 @@ bool vtkLightingTransferFunctionItem::Paint(vtkContext2D* context)
     {
       const vtkRectf& panel = *rectangles[i];
       painter.DrawPicture(panel, i == 0 ? internal.Pictures.GetGradients() : internal.Pictures.GetPairs());
-      painter.DrawText(titles[i], panel.GetX() + 0.5F * panel.GetWidth(),
-        panel.GetY() + panel.GetHeight() + 0.5F * volumeoptics::TitleHeight);
+      painter.DrawLongest({ titles[i] }, panel.GetX() + 0.5F * panel.GetWidth(),
+        panel.GetY() + panel.GetHeight() + 0.5F * volumeoptics::TitleHeight, panel.GetWidth());
     }
   }
   return true;

@@ -7,6 +7,7 @@
 
 #include "vtkLightingTransferFunction.h"
 #include "vtkLightingTransferFunctionItem.h"
+#include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
 #include <vtkCallbackCommand.h>
@@ -57,9 +58,12 @@ void SideBySide::ShowEditorAlone()
   this->Pane.GetRenderer()->SetViewport(0.0, 0.0, 1.0, 1.0);
 }
 
-void SideBySide::SetRate(double rate)
+// A still picture has the scene's own steps, where the mapper's choice would show contour lines.
+void SideBySide::SetDraft(bool isDraft)
 {
-  this->Scene.GetWindow()->SetDesiredUpdateRate(rate);
+  this->Scene.GetMapper()->SetAutoAdjustSampleDistances(isDraft);
+  this->Scene.GetWindow()->SetDesiredUpdateRate(
+    isDraft ? this->DraftRate : this->Interactor->GetStillUpdateRate());
 }
 
 // By the renderer under the mouse, unless a button is held down: a drag stays with what it began on.
@@ -86,13 +90,9 @@ void SideBySide::Connect(vtkRenderWindowInteractor* interactor, double rate)
   command->SetClientData(this);
   command->SetCallback([](vtkObject*, unsigned long event, void* data, void*) {
     auto* self = static_cast<SideBySide*>(data);
-    if (event == vtkCommand::StartInteractionEvent)
+    if (event == vtkCommand::StartInteractionEvent || event == vtkCommand::EndInteractionEvent)
     {
-      self->SetRate(self->DraftRate);
-    }
-    else if (event == vtkCommand::EndInteractionEvent)
-    {
-      self->SetRate(self->Interactor->GetStillUpdateRate());
+      self->SetDraft(event == vtkCommand::StartInteractionEvent);
     }
     else if (!self->ButtonIsDown)
     {
@@ -111,6 +111,11 @@ void SideBySide::Connect(vtkRenderWindowInteractor* interactor, double rate)
   {
     interactor->AddObserver(event, command, BeforeStyles);
   }
-  this->Pane.GetItem()->AddObserver(vtkCommand::StartInteractionEvent, command);
-  this->Pane.GetItem()->AddObserver(vtkCommand::EndInteractionEvent, command);
+  for (vtkObject* object :
+    { static_cast<vtkObject*>(this->Pane.GetItem()), static_cast<vtkObject*>(this->VolumeStyle) })
+  {
+    object->AddObserver(vtkCommand::StartInteractionEvent, command);
+    object->AddObserver(vtkCommand::EndInteractionEvent, command);
+  }
+  this->SetDraft(false);
 }

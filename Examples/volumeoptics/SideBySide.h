@@ -35,7 +35,7 @@ public:
 
 private:
   void ChooseStyle();
-  void SetRate(double rate);
+  void SetDraft(bool isDraft);
 
   VolumeScene& Scene;
   LightingPane Pane;

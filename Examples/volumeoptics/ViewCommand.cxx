@@ -58,7 +58,9 @@ void View(ViewOptions& options)
   VolumeScene scene(volume, WindowKind::Visible);
   scene.Apply(options.Picture);
   scene.GetMapper()->AutoAdjustSampleDistancesOn();
-  scene.GetMapper()->UseJitteringOn(); // noise in place of contour lines where steps are coarse
+  // Noise in place of contour lines where steps are coarse; but light on boundaries alone differs so much
+  // from sample to sample that the noise would hide the surface.
+  scene.GetMapper()->SetUseJittering(options.EditedFile.empty());
   scene.GetWindow()->SetWindowName(("volumeoptics: " + volume.Name).c_str());
   const vtkNew<vtkRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(scene.GetWindow());

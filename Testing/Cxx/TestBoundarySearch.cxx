@@ -94,8 +94,8 @@ void CheckPhantom(const Phantom& phantom, Report& report)
 }
 
 // A thin shell in the inner one of two materials. What its middle has, varies with the direction: no other
-// scalars beyond the materials, and no homogeneous region.
-void CheckThinShell(double direction, double noise, Report& report)
+// scalars beyond the materials, and no homogeneous region. largest: values end there, in small plateaus.
+void CheckThinShell(double direction, double noise, double largest, Report& report)
 {
   const Phantom phantom = { "thin shell", { 0.0, -direction * 100.0 }, { 24.0 }, 1.0, noise };
   testing::Geometry geometry;
@@ -105,7 +105,8 @@ void CheckThinShell(double direction, double noise, Report& report)
     const glm::dvec3 ray = p - glm::dvec3(31.5);
     const double distance = (glm::length(ray) - 14.0) / 1.2;
     const double middle = 110.0 + 70.0 * std::sin(0.2 * p.x) + 70.0 * std::cos(0.23 * p.y);
-    return Shells(phantom, p) + direction * middle * std::exp(-0.5 * distance * distance);
+    const double shell = middle * std::exp(-0.5 * distance * distance);
+    return Shells(phantom, p) + direction * std::min(shell, largest);
   }));
   histogram->Update();
   vtkNew<vtkLightingTransferFunction> function;
@@ -235,8 +236,9 @@ int TestBoundarySearch(int, char*[])
   }
   for (const double direction : { 1.0, -1.0 })
   {
-    CheckThinShell(direction, 0.0, report);
-    CheckThinShell(direction, 0.02, report);
+    CheckThinShell(direction, 0.0, VTK_DOUBLE_MAX, report);
+    CheckThinShell(direction, 0.02, VTK_DOUBLE_MAX, report);
+    CheckThinShell(direction, 0.0, 205.0, report);
   }
   CheckLight(report);
   CheckNothingToFind(report);
