@@ -25,3 +25,7 @@ row skin 400 "phase function=skin-none" "Blinn-Phong=skin-blinn-phong" "Lafortun
 row marschner-lobb 400 "Blinn-Phong=marschner-lobb-blinn-phong" \
   "Lafortune, gamma 10=marschner-lobb-lafortune-10" "Lafortune, gamma 60=marschner-lobb-lafortune-60"
 row vortex-tubes 400 "phase function=tubes-none" "Blinn-Phong=tubes-blinn-phong" "Lafortune=tubes-lafortune"
+row data-space 400 "opacity by length=coulomb-standard" "by difference of the data=coulomb-data" \
+  "with silhouettes=coulomb-data-exact" "and light=coulomb-lit-data-exact"
+row lighting 400 "no light=lighting-none" "uniform light=lighting-uniform" "opacity raised=lighting-opacity" \
+  "lighting transfer function=lighting-chosen"
