@@ -194,10 +194,11 @@ void AddLightingTransferFunctions(std::vector<std::unique_ptr<Contestant>>& all,
   {
     const char* Name;
     int Gradient, Samples;
-  } kinds[] = { { "lighting, default", Mapper::Automatic, Mapper::Fetched },
-    { "lighting, stored gradient, extrapolated", Mapper::Stored, Mapper::Extrapolated },
-    { "lighting, gradient on the fly, fetched", Mapper::CentralDifferences, Mapper::Fetched },
-    { "lighting, gradient on the fly, extrapolated", Mapper::CentralDifferences, Mapper::Extrapolated } };
+  } kinds[] = { { "lighting by default", Mapper::Automatic, Mapper::Fetched },
+    { "lighting by a stored gradient and extrapolation", Mapper::Stored, Mapper::Extrapolated },
+    { "lighting by a gradient on the fly", Mapper::CentralDifferences, Mapper::Fetched },
+    { "lighting by a gradient on the fly and extrapolation", Mapper::CentralDifferences,
+      Mapper::Extrapolated } };
   for (const auto& kind : kinds)
   {
     vtkNew<Mapper> mapper;
