@@ -89,6 +89,7 @@ set(rendering_sources
   MultiSampleTerm
   OpticsFactory
   OpticsIsosurfaces
+  OpticsMapperKnobs
   OpticsScene
   OpticsShaderTable
   PairCounts

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// vtkOpticsVolumeMapper: its knobs, their presets, and the sample distance.
+
+#include "vtkOpticsVolumeMapper.h"
+
+#include "ParameterRange.h"
+#include "QualityPresets.h"
+#include "vtkAmbientCovarianceFilter.h"
+
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const char* const GradientTypeNames[] = { "Stored", "CentralDifferences", "Automatic" };
+const char* const LightingSamplesNames[] = { "Fetched", "Extrapolated" };
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
+{
+  volumeoptics::SetPrecision(this, "FramePrecision", bits, this->FramePrecision);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetPreIntegrationTableSize(int size)
+{
+  volumeoptics::SetWithinRange(this, "PreIntegrationTableSize", size, 2, 4096, this->PreIntegrationTableSize);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
+{
+  if (bits != 16 && bits != 32)
+  {
+    vtkWarningMacro(<< "TablePrecision " << bits << " is not set: choose 16 or 32.");
+    return;
+  }
+  if (this->TablePrecision != bits)
+  {
+    this->TablePrecision = bits;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetExtinctionGradientAsString()
+{
+  return GradientTypeNames[this->ExtinctionGradient];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetScalarGradientAsString()
+{
+  return GradientTypeNames[this->ScalarGradient];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetLightingSamplesAsString()
+{
+  return LightingSamplesNames[this->LightingSamples];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetQuality(int quality)
+{
+  this->Quality = std::clamp(quality, static_cast<int>(Custom), static_cast<int>(Reference));
+  this->Modified();
+  if (this->Quality == Custom)
+  {
+    this->StepInVoxels = 0.0;
+    return;
+  }
+  const QualityPreset& preset = QualityPresets[this->Quality];
+  this->StepInVoxels = preset.StepInVoxels;
+  this->SetFrameResolutionFactor(preset.ResolutionFactor);
+  this->SetFramePrecision(preset.Bits);
+  this->GetAmbientCovarianceFilter()->SetNumberOfSamples(preset.Samples);
+  this->GetAmbientCovarianceFilter()->SetFilterStandardDeviation(preset.FilterStandardDeviation);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetSampleDistance(float distance)
+{
+  this->StepInVoxels = 0.0;
+  this->Superclass::SetSampleDistance(distance);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::UpdateSampleDistance(vtkRenderer* renderer)
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  if (this->StepInVoxels <= 0.0 || !image)
+  {
+    return;
+  }
+  const double* spacing = image->GetSpacing();
+  const double smallest = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+  const double slack = this->IsInteractive(renderer) ? 2.0 : 1.0;
+  this->SetAutoAdjustSampleDistances(0);
+  this->Superclass::SetSampleDistance(static_cast<float>(this->StepInVoxels * slack * smallest));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetQualityAsString()
+{
+  const char* const names[] = { "Custom", "Draft", "Balanced", "Reference" };
+  return names[this->Quality];
+}
+
+//------------------------------------------------------------------------------
+// VTK keeps it to itself; the same rules. For images.
+double vtkOpticsVolumeMapper::GetFrameSampleDistance(vtkVolume* volume)
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  double spacing[3];
+  image->GetSpacing(spacing);
+  if (this->AutoAdjustSampleDistances)
+  {
+    double least = VTK_DOUBLE_MAX;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double column[3];
+      for (int row = 0; row < 3; ++row)
+      {
+        column[row] = volume->GetMatrix()->GetElement(row, axis);
+      }
+      least = std::min(least, std::abs(spacing[axis]) * vtkMath::Norm(column));
+    }
+    return this->ReductionFactor > 0.0 && this->ReductionFactor < 1.0 ? least / this->ReductionFactor : least;
+  }
+  return this->LockSampleDistanceToInputSpacing
+    ? this->SpacingAdjustedSampleDistance(spacing, image->GetExtent())
+    : this->SampleDistance;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Optics: " << this->GetOptics() << "\n";
+  os << indent << "FrameResolutionFactor: " << this->FrameResolutionFactor << "\n";
+  os << indent << "FramePrecision: " << this->FramePrecision << "\n";
+  os << indent << "ExtinctionGradient: " << this->GetExtinctionGradientAsString() << "\n";
+  os << indent << "ScalarGradient: " << this->GetScalarGradientAsString() << "\n";
+  os << indent << "LightingTableSize: " << this->LightingTableSize << "\n";
+  os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
+  os << indent << "PreIntegrationTableSize: " << this->PreIntegrationTableSize << "\n";
+  os << indent << "TablePrecision: " << this->TablePrecision << "\n";
+  os << indent << "Quality: " << this->GetQualityAsString() << "\n";
+  os << indent << "ActiveTerms: " << this->GetActiveTerms() << "\n";
+  os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";
+  os << indent << "ProgramLinkCount: " << this->GetProgramLinkCount() << "\n";
+}
