@@ -54,13 +54,9 @@ set(filter_sources
   SphereDirections
   VoxelEvaluation)
 set(rendering_sources
-  DataSpaceClassification
-  ProjectedTetrahedraPainter
-  ProjectedTetrahedraTarget
-  TetrahedraVertices
-  TetrahedralGrid
   AttenuatedStretch
   BoundarySearch
+  DataSpaceClassification
   DefaultOptics
   FrameGeometry
   FrameProvider
@@ -69,9 +65,9 @@ set(rendering_sources
   HeadlessContext
   HeadlessContextEGL
   HeadlessContextOSMesa
+  HistogramPicture
   IntegrationTerm
   IsosurfaceTexture
-  HistogramPicture
   JsonDocument
   LightUniforms
   LightingBoundary
@@ -95,10 +91,15 @@ set(rendering_sources
   PairCounts
   PreIntegratedTexture
   PreIntegration
+  ProjectedTetrahedraPainter
+  ProjectedTetrahedraTarget
   RayUniforms
   ReflectanceTerm
   ScalarPair
   SceneNeeds
+  TermTexture
+  TetrahedraVertices
+  TetrahedralGrid
   TransferFunctionStretches
   TransferFunctionTerm
   TransferFunctionTexture

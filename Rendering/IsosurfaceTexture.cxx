@@ -80,15 +80,12 @@ void IsosurfaceTexture::Update(const OpticsScene& scene)
     std::copy(rgb, rgb + 3, surface);
     surface[3] = static_cast<float>(scene.Optics->GetIsosurfaceOpacity(order[i]));
   }
-  const bool isAlive =
-    this->Texture && this->Texture->GetContext() == scene.Window && this->Texture->GetHandle() != 0;
-  if (isAlive && texels == this->Texels)
+  if (this->Texture.IsAlive(scene.Window) && texels == this->Texels)
   {
     return;
   }
   this->Texels = texels;
-  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-  this->Texture->SetContext(scene.Window);
+  this->Texture.Renew(scene.Window);
   this->Texture->Create2DFromRaw(static_cast<unsigned int>(order.size()), 2, 4, VTK_FLOAT, texels.data());
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
@@ -97,28 +94,8 @@ void IsosurfaceTexture::Update(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 void IsosurfaceTexture::SetUniforms(vtkShaderProgram* program)
 {
-  this->Texture->Activate();
-  program->SetUniformi("in_opticsIsosurfaces", this->Texture->GetTextureUnit());
+  this->Texture.Bind("in_opticsIsosurfaces", program);
   program->SetUniformi("in_opticsNumberOfIsosurfaces", static_cast<int>(this->Texture->GetWidth()));
-}
-
-//------------------------------------------------------------------------------
-void IsosurfaceTexture::Unbind()
-{
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void IsosurfaceTexture::Release(vtkWindow* window)
-{
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,9 +7,7 @@
 #define IsosurfaceTexture_h
 
 #include "OpticsScene.h"
-
-#include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
+#include "TermTexture.h"
 
 #include <vector>
 
@@ -28,12 +26,12 @@ public:
   /** After VTK has loaded the volume. Uploads what has changed. */
   void Update(const OpticsScene& scene);
   void SetUniforms(vtkShaderProgram* program);
-  void Unbind();
-  void Release(vtkWindow* window);
+  void Unbind() { this->Texture.Unbind(); }
+  void Release(vtkWindow* window) { this->Texture.Release(window); }
   std::size_t GetMemorySize() const;
 
 private:
-  vtkSmartPointer<vtkTextureObject> Texture;
+  TermTexture Texture;
   std::vector<float> Texels;
 };
 

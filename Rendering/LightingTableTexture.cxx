@@ -57,10 +57,8 @@ float LargestFourth(const std::vector<float>& rgba)
 //------------------------------------------------------------------------------
 void LightingTableTexture::Update(const Request& request, vtkOpenGLRenderWindow* window)
 {
-  const bool isAlive =
-    this->Texture && this->Texture->GetContext() == window && this->Texture->GetHandle() != 0;
   const vtkMTimeType time = TimeOf(request);
-  if (isAlive && IsSame(request, this->Uploaded) && time == this->UploadedTime)
+  if (this->Texture.IsAlive(window) && IsSame(request, this->Uploaded) && time == this->UploadedTime)
   {
     return;
   }
@@ -75,8 +73,7 @@ void LightingTableTexture::Upload(const Request& request, vtkOpenGLRenderWindow*
   std::vector<float> rgba;
   request.Function->GetTable(request.Range, request.Size, rgba, request.Density);
   this->LargestDifference = LargestFourth(rgba);
-  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-  this->Texture->SetContext(window);
+  this->Texture.Renew(window);
   const auto create = [&](auto codes, int type) {
     this->Texture->Create2DFromRaw(request.Size, request.Size, 4, type, codes.data());
   };
@@ -88,10 +85,7 @@ void LightingTableTexture::Upload(const Request& request, vtkOpenGLRenderWindow*
   {
     create(rgba, VTK_FLOAT);
   }
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Texture.Interpolate();
 }
 
 //------------------------------------------------------------------------------
@@ -100,27 +94,7 @@ void LightingTableTexture::SetUniforms(vtkShaderProgram* program)
   program->SetUniform2f(
     "in_opticsLightingTableCode", volumeoptics::SignedTextureCode(this->Uploaded.Bits).ScaleAndBias);
   program->SetUniformf("in_opticsDensityFade", std::max(FadeShare * this->LargestDifference, 1.0e-6F));
-  this->Texture->Activate();
-  program->SetUniformi("in_opticsLightingTable", this->Texture->GetTextureUnit());
-}
-
-//------------------------------------------------------------------------------
-void LightingTableTexture::Unbind()
-{
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void LightingTableTexture::Release(vtkWindow* window)
-{
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
-  }
+  this->Texture.Bind("in_opticsLightingTable", program);
 }
 
 //------------------------------------------------------------------------------

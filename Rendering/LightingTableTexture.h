@@ -7,8 +7,7 @@
 #ifndef LightingTableTexture_h
 #define LightingTableTexture_h
 
-#include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
+#include "TermTexture.h"
 
 #include <vector>
 
@@ -34,14 +33,14 @@ public:
   /** Uploads what has changed. */
   void Update(const Request& request, vtkOpenGLRenderWindow* window);
   void SetUniforms(vtkShaderProgram* program);
-  void Unbind();
-  void Release(vtkWindow* window);
+  void Unbind() { this->Texture.Unbind(); }
+  void Release(vtkWindow* window) { this->Texture.Release(window); }
   std::size_t GetMemorySize() const;
 
 private:
   void Upload(const Request& request, vtkOpenGLRenderWindow* window);
 
-  vtkSmartPointer<vtkTextureObject> Texture;
+  TermTexture Texture;
   float LargestDifference = 0.0F;
   Request Uploaded = {};
   vtkMTimeType UploadedTime = 0;

@@ -20,14 +20,6 @@
 
 namespace
 {
-void InterpolateWithin(vtkTextureObject* texture)
-{
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetMinificationFilter(vtkTextureObject::Linear);
-  texture->SetMagnificationFilter(vtkTextureObject::Linear);
-}
-
 bool AreEqual(vtkColorTransferFunction* a, vtkColorTransferFunction* b)
 {
   bool isEqual = a->GetSize() == b->GetSize() && a->GetColorSpace() == b->GetColorSpace() &&
@@ -95,9 +87,8 @@ void PreIntegratedTexture::Update(const OpticsScene& scene)
   this->SetFunctions(scene);
   this->Table->Update();
   const int bits = scene.Mapper->GetTablePrecision();
-  const bool isAlive =
-    this->Texture && this->Texture->GetContext() == scene.Window && this->Texture->GetHandle() != 0;
-  if (!isAlive || this->UploadedTime != this->Table->GetBuildTime() || this->UploadedBits != bits)
+  if (!this->Texture.IsAlive(scene.Window) || this->UploadedTime != this->Table->GetBuildTime() ||
+    this->UploadedBits != bits)
   {
     this->UploadedTime = this->Table->GetBuildTime();
     this->UploadedBits = bits;
@@ -119,11 +110,10 @@ void PreIntegratedTexture::UploadEntries(const OpticsScene& scene)
   {
     texels[i] = i % 4 == 3 ? static_cast<float>(entries[i] * scale) : entries[i];
   }
-  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-  this->Texture->SetContext(scene.Window);
+  this->Texture.Renew(scene.Window);
   this->Texture->SetInternalFormat(this->UploadedBits == 16 ? GL_RGBA16F : GL_RGBA32F);
   this->Texture->Create2DFromRaw(size, size, 4, VTK_FLOAT, texels.data());
-  InterpolateWithin(this->Texture);
+  this->Texture.Interpolate();
 }
 
 //------------------------------------------------------------------------------
@@ -136,10 +126,9 @@ void PreIntegratedTexture::UploadDepths(const OpticsScene& scene)
   {
     std::copy(depths, depths + texels.size(), texels.begin());
   }
-  this->DepthsBehind = vtkSmartPointer<vtkTextureObject>::New();
-  this->DepthsBehind->SetContext(scene.Window);
+  this->DepthsBehind.Renew(scene.Window);
   this->DepthsBehind->Create1DFromRaw(size, 2, VTK_FLOAT, texels.data());
-  InterpolateWithin(this->DepthsBehind);
+  this->DepthsBehind.Interpolate();
 }
 
 //------------------------------------------------------------------------------
@@ -148,15 +137,13 @@ void PreIntegratedTexture::SetUniforms(const OpticsScene& scene, vtkShaderProgra
   const float size = static_cast<float>(this->Texture->GetWidth());
   if (IsPreIntegrated(scene))
   {
-    this->Texture->Activate();
-    program->SetUniformi("in_opticsSegmentTable", this->Texture->GetTextureUnit());
+    this->Texture.Bind("in_opticsSegmentTable", program);
     program->SetUniformf("in_opticsSegmentTableSize", size);
     program->SetUniformf("in_opticsLargestAttenuation", static_cast<float>(this->LargestAttenuation));
   }
   if (TransmitsLight(scene))
   {
-    this->DepthsBehind->Activate();
-    program->SetUniformi("in_opticsDepthsBehind", this->DepthsBehind->GetTextureUnit());
+    this->DepthsBehind.Bind("in_opticsDepthsBehind", program);
     program->SetUniformf("in_opticsDepthsBehindSize", size);
   }
 }
@@ -164,24 +151,15 @@ void PreIntegratedTexture::SetUniforms(const OpticsScene& scene, vtkShaderProgra
 //------------------------------------------------------------------------------
 void PreIntegratedTexture::Unbind()
 {
-  for (vtkTextureObject* texture : { this->Texture.Get(), this->DepthsBehind.Get() })
-  {
-    if (texture)
-    {
-      texture->Deactivate();
-    }
-  }
+  this->Texture.Unbind();
+  this->DepthsBehind.Unbind();
 }
 
 //------------------------------------------------------------------------------
 void PreIntegratedTexture::Release(vtkWindow* window)
 {
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->DepthsBehind->ReleaseGraphicsResources(window);
-    this->Texture = this->DepthsBehind = nullptr;
-  }
+  this->Texture.Release(window);
+  this->DepthsBehind.Release(window);
 }
 
 //------------------------------------------------------------------------------

@@ -8,12 +8,11 @@
 #define PreIntegratedTexture_h
 
 #include "OpticsScene.h"
+#include "TermTexture.h"
 #include "vtkPreIntegratedTable.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
 
 class vtkShaderProgram;
 class vtkWindow;
@@ -36,8 +35,8 @@ private:
 
   vtkNew<vtkPreIntegratedTable> Table;
   vtkNew<vtkColorTransferFunction> Stretched;
-  vtkSmartPointer<vtkTextureObject> Texture;
-  vtkSmartPointer<vtkTextureObject> DepthsBehind;
+  TermTexture Texture;
+  TermTexture DepthsBehind;
   vtkMTimeType UploadedTime = 0;
   int UploadedBits = 0;
   double LargestAttenuation = 0.0;

@@ -41,23 +41,17 @@ template <typename Function>
 void TransferFunctionTexture::UpdateTable(
   Function* function, const double range[2], int width, int components, vtkOpenGLRenderWindow* window)
 {
-  const bool isAlive =
-    this->Texture && this->Texture->GetContext() == window && this->Texture->GetHandle() != 0;
-  const bool isCurrent = isAlive && this->Source == function && this->SourceTime == function->GetMTime() &&
-    this->Range[0] == range[0] && this->Range[1] == range[1];
+  const bool isCurrent = this->Texture.IsAlive(window) && this->Source == function &&
+    this->SourceTime == function->GetMTime() && this->Range[0] == range[0] && this->Range[1] == range[1];
   if (isCurrent)
   {
     return;
   }
   std::vector<float> table(static_cast<std::size_t>(width) * components);
   function->GetTable(range[0], range[1], width, table.data());
-  this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-  this->Texture->SetContext(window);
+  this->Texture.Renew(window);
   this->Texture->Create1DFromRaw(width, components, VTK_FLOAT, table.data());
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  this->Texture.Interpolate();
   this->Source = function;
   this->SourceTime = function->GetMTime();
   std::copy(range, range + 2, this->Range);
@@ -69,27 +63,7 @@ void TransferFunctionTexture::SetUniforms(const std::string& name, vtkShaderProg
   const float width = static_cast<float>(this->Texture->GetWidth());
   const float code[2] = { (width - 1.0F) / width, 0.5F / width };
   program->SetUniform2f((name + "Code").c_str(), code);
-  this->Texture->Activate();
-  program->SetUniformi(name.c_str(), this->Texture->GetTextureUnit());
-}
-
-//------------------------------------------------------------------------------
-void TransferFunctionTexture::Unbind()
-{
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void TransferFunctionTexture::Release(vtkWindow* window)
-{
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
-  }
+  this->Texture.Bind(name.c_str(), program);
 }
 
 //------------------------------------------------------------------------------

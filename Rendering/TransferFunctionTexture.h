@@ -7,8 +7,7 @@
 #ifndef TransferFunctionTexture_h
 #define TransferFunctionTexture_h
 
-#include "vtkSmartPointer.h"
-#include "vtkTextureObject.h"
+#include "TermTexture.h"
 
 #include <string>
 
@@ -29,8 +28,8 @@ public:
 
   /** The sampler of this name, and a vec2 of this name with "Code" behind it. */
   void SetUniforms(const std::string& name, vtkShaderProgram* program);
-  void Unbind();
-  void Release(vtkWindow* window);
+  void Unbind() { this->Texture.Unbind(); }
+  void Release(vtkWindow* window) { this->Texture.Release(window); }
   std::size_t GetMemorySize() const;
 
 private:
@@ -38,7 +37,7 @@ private:
   void UpdateTable(
     Function* function, const double range[2], int width, int components, vtkOpenGLRenderWindow* window);
 
-  vtkSmartPointer<vtkTextureObject> Texture;
+  TermTexture Texture;
   vtkObject* Source = nullptr;
   vtkMTimeType SourceTime = 0;
   double Range[2] = { 0.0, 0.0 };
