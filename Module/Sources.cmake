@@ -88,6 +88,7 @@ set(rendering_sources
   OpticsMapperKnobs
   OpticsScene
   OpticsShaderTable
+  OpticsVisibility
   PairCounts
   PreIntegratedTexture
   PreIntegration
