@@ -71,6 +71,7 @@ set(rendering_sources
   IsosurfaceTexture
   JsonDocument
   LightUniforms
+  LightViews
   LightingBoundary
   LightingEditor
   LightingEditorKeys
@@ -85,6 +86,7 @@ set(rendering_sources
   MultiSampleRules
   MultiSampleTerm
   OcclusionTerm
+  OpaqueDepth
   OpticsFactory
   OpticsIsosurfaces
   OpticsMapperKnobs
@@ -100,6 +102,8 @@ set(rendering_sources
   ReflectanceTerm
   ScalarPair
   SceneNeeds
+  ShadowAtlas
+  ShadowTerm
   SweepGrid
   SweepProgram
   SweepTarget

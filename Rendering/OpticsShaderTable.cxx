@@ -92,6 +92,8 @@
 #include "SegmentPost.h"
 #include "SegmentPreIntegrated.h"
 #include "SegmentSmooth.h"
+#include "ShadowLookup.h"
+#include "ShadowOfLight.h"
 #include "SilhouetteClamped.h"
 #include "SilhouetteExact.h"
 #include "SilhouetteGeometry.h"
@@ -124,6 +126,7 @@
 #include "TransmittedSurface.h"
 #include "Visibility.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -222,6 +225,7 @@ const Row Table[] = {
   { F::Occlusion, &ComputeLightingDec, Occlusion },
   { F::AmbientLight, &ComputeLightingDec, AmbientColor },
   { F::AmbientAlone, &ComputeLightingDec, AmbientAlone },
+  { F::Shadows, &ComputeLightingDec, ShadowLookup },
   { F::Reflectance, &ComputeLightingDec, Lighting },
   { F::MultiSample, &ComputeLightingDec, SoftRange },
   { F::MultiSample, &ComputeLightingDec, MultiSampleRule },
@@ -233,6 +237,7 @@ const Row Table[] = {
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
   { F::AmbientLight, &SurfacePlace, AmbientSurface },
   { F::Transmitted, &SurfacePlace, TransmittedSurface },
+  { F::Shadows, &LightPlace, ShadowOfLight },
   { F::Transmitted, &LightPlace, TransmittedSide },
   { F::Transmitted, &TransmissionPlace, Transmitted },
 
@@ -324,11 +329,14 @@ std::string TextFor(const Place& place, const OpticsFeatures& features)
 }
 
 // GLSL arrays are sized by constants, and have at least one element.
-std::string NumberOfLightsText(int lights)
+std::string NumbersText(const OpticsFeatures& features)
 {
-  const int slots = lights > 0 ? lights : 1;
-  return "#define OPTICS_NUMBER_OF_LIGHTS " + std::to_string(lights) + "\n#define OPTICS_LIGHT_SLOTS " +
-    std::to_string(slots) + "\n";
+  const int slots = std::max(features.NumberOfLights, 1);
+  const std::string text = "#define OPTICS_NUMBER_OF_LIGHTS " + std::to_string(features.NumberOfLights) +
+    "\n#define OPTICS_LIGHT_SLOTS " + std::to_string(slots) + "\n";
+  return features.NumberOfShadowViews == 0
+    ? text
+    : text + "#define OPTICS_SHADOW_VIEWS " + std::to_string(features.NumberOfShadowViews) + "\n";
 }
 
 // Our own places are in our text; those that no term fills leave nothing behind.
@@ -358,7 +366,7 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
   if (features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone))
   {
     place.KeepsVTKText = false;
-    text.insert(0, NumberOfLightsText(features.NumberOfLights));
+    text.insert(0, NumbersText(features));
     FillOwnPlaces(text, features);
   }
   return Insert(fragment, place, text);

@@ -78,6 +78,7 @@ enum class OpticsFeature
   OwnOpacity,
   OwnOpacityInData,
   Occlusion,
+  Shadows,
   DataSpaceFormulas,
   VisibilityFormulas,
   VisibilitySweep, // the text serves a sweep as well (SweepProgram)
@@ -103,10 +104,12 @@ public:
   bool IsEmpty() const { return this->Bits.none(); }
   bool operator==(const OpticsFeatures& other) const
   {
-    return this->Bits == other.Bits && this->NumberOfLights == other.NumberOfLights;
+    return this->Bits == other.Bits && this->NumberOfLights == other.NumberOfLights &&
+      this->NumberOfShadowViews == other.NumberOfShadowViews;
   }
 
   int NumberOfLights = 0;
+  int NumberOfShadowViews = 0;
 
 private:
   std::bitset<static_cast<std::size_t>(OpticsFeature::Count)> Bits;

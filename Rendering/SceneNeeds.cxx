@@ -3,6 +3,7 @@
 
 #include "SceneNeeds.h"
 
+#include "LightUniforms.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -93,7 +94,7 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene) || WantsAmbientLight(scene));
+      TransmitsLight(scene) || WantsAmbientLight(scene) || WantsShadows(scene));
 }
 
 //------------------------------------------------------------------------------
@@ -183,6 +184,13 @@ bool WantsAmbientLight(const OpticsScene& scene)
 bool HasAmbientLight(const OpticsScene& scene)
 {
   return WantsAmbientLight(scene) && FindUnsupported(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool WantsShadows(const OpticsScene& scene)
+{
+  return scene.Optics->GetShadows() && scene.Volume->GetProperty()->GetShade() &&
+    CountLights(scene.Renderer) > 0;
 }
 
 //------------------------------------------------------------------------------

@@ -56,8 +56,8 @@ const UniformType IntegerType = { GL_INT, 1, false,
 const UniformType& TypeOf(unsigned int type)
 {
   const UniformType* end = std::end(UniformTypes);
-  const UniformType* found =
-    std::find_if(std::begin(UniformTypes), end, [type](const UniformType& known) { return known.Type == type; });
+  const UniformType* found = std::find_if(
+    std::begin(UniformTypes), end, [type](const UniformType& known) { return known.Type == type; });
   return found == end ? IntegerType : *found;
 }
 
@@ -111,13 +111,14 @@ std::string SweepFragmentShader(const std::string& ray, const SweepProgram::Kind
   ReplaceOutputs(text);
   const std::size_t behindVersion = text.find('\n', text.find("#version")) + 1;
   text.insert(behindVersion,
-    "#define OPTICS_SWEEP\n#define OPTICS_SWEEP_DIRECTIONS " + std::to_string(kind.Directions) + "\n");
+    "#define OPTICS_SWEEP\n#define OPTICS_SWEEP_DIRECTIONS " + std::to_string(kind.Directions) + "\n" +
+      (kind.IsToViewer ? "#define OPTICS_SWEEP_TO_VIEWER\n" : "") +
+      (kind.HasGeometry ? "#define OPTICS_SWEEP_GEOMETRY\n" : ""));
   return text + (kind.IsDisk ? SweepDisk : SweepDirections) + SweepMain;
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* SweepProgram::Use(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* ray, const Kind& kind)
+vtkShaderProgram* SweepProgram::Use(vtkOpenGLRenderWindow* window, vtkShaderProgram* ray, const Kind& kind)
 {
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (this->Program && this->RayHash == ray->GetMD5Hash() && this->CurrentKind == kind)

@@ -12,6 +12,7 @@
 #include "OcclusionTerm.h"
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
+#include "ShadowTerm.h"
 #include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -52,8 +53,10 @@ public:
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
   OcclusionTerm Occlusion;
+  ShadowTerm Shadows;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Occlusion };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Occlusion,
+    &this->Shadows };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
