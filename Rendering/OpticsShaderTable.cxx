@@ -94,6 +94,7 @@
 #include "SegmentSmooth.h"
 #include "ShadowLookup.h"
 #include "ShadowOfLight.h"
+#include "ShadowSurface.h"
 #include "SilhouetteClamped.h"
 #include "SilhouetteExact.h"
 #include "SilhouetteGeometry.h"
@@ -236,6 +237,7 @@ const Row Table[] = {
   { F::HybridNormals, &SurfacePlace, HybridSurface },
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
   { F::AmbientLight, &SurfacePlace, AmbientSurface },
+  { F::Shadows, &SurfacePlace, ShadowSurface },
   { F::Transmitted, &SurfacePlace, TransmittedSurface },
   { F::Shadows, &LightPlace, ShadowOfLight },
   { F::Transmitted, &LightPlace, TransmittedSide },

@@ -76,10 +76,19 @@ ShadowTerm::ShadowTerm() = default;
 ShadowTerm::~ShadowTerm() = default;
 
 //------------------------------------------------------------------------------
-// Why light can't be replaced, ReflectanceTerm says.
 bool ShadowTerm::IsActive(const OpticsScene& scene)
 {
-  return WantsShadows(scene) && ReplacesLighting(scene);
+  if (!WantsShadows(scene))
+  {
+    return false;
+  }
+  const std::string reason = FindUnsupported(scene);
+  if (!reason.empty())
+  {
+    scene.Mapper->Say(
+      "Shadows do not support " + reason + ": light is VTK's own. ShadowsOff() silences this.");
+  }
+  return reason.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -185,6 +194,7 @@ void ShadowTerm::DrawGeometry(const OpticsScene& scene)
 void ShadowTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
   features.Add(F::Shadows);
+  features.Add(IntegratesInData(scene) ? F::OwnOpacityInData : F::OwnOpacity);
   AddSweepFeatures(scene, features);
   features.NumberOfShadowViews = static_cast<int>(this->Views.size());
 }
@@ -276,9 +286,28 @@ void ShadowTerm::SetViewUniforms(const double textureToWorld[16], vtkShaderProgr
     AppendVector(firsts, this->Atlas.GetFirst(static_cast<int>(view)));
     AppendVector(sizes, this->Atlas.GetSize(static_cast<int>(view)));
   }
+  this->SetSlices(textureToWorld, program);
   program->SetUniformMatrix4x4v("in_opticsShadowView", static_cast<int>(this->Views.size()), matrices.data());
   SetVectors(program, "in_opticsShadowFirst", firsts.data(), this->Views.size());
   SetVectors(program, "in_opticsShadowSize", sizes.data(), this->Views.size());
+}
+
+//------------------------------------------------------------------------------
+// Of the mean distance of all lights' slices.
+void ShadowTerm::SetSlices(const double textureToWorld[16], vtkShaderProgram* program)
+{
+  double sum = 0.0;
+  for (const LightView& view : this->Views)
+  {
+    sum += view.Grid.GetSliceDistance();
+  }
+  const double mean = sum / static_cast<double>(this->Views.size());
+  float columns[9];
+  for (int i = 0; i < 9; ++i)
+  {
+    columns[i] = static_cast<float>(textureToWorld[4 * (i % 3) + i / 3] / mean);
+  }
+  program->SetUniformMatrix3x3("in_opticsShadowToSlices", columns);
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,7 @@ private:
   bool SweepAll(const OpticsScene& scene, const vtkVisibilitySweep::Volume& volume);
   bool Sweep(const OpticsScene& scene, vtkVisibilitySweep::Volume volume, std::size_t view);
   void ReleaseGeometry(vtkWindow* window);
+  void SetSlices(const double textureToWorld[16], vtkShaderProgram* program);
   void SetViewUniforms(const double textureToWorld[16], vtkShaderProgram* program);
 
   std::vector<LightView> Views;

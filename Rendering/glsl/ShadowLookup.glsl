@@ -1,22 +1,37 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeLighting::Dec. What of a light passes the volume and other things on its way to the sample. A light
-// has one view of the volume or several, each with a grid in the atlas.
+// Place ComputeLighting::Dec, after OwnOpacity*. What of a light passes the volume and other things on its way to the
+// sample: what reaches the slice in front of it, and, as for Occlusion, what the ray itself has met since. A light has
+// one view of the volume or several, each with a grid in the atlas.
 
 uniform sampler3D in_opticsShadows;
 uniform mat4 in_opticsShadowView[OPTICS_SHADOW_VIEWS];   // to (x w, y w, z, w), each of x, y, z from 0 to 1
 uniform vec3 in_opticsShadowFirst[OPTICS_SHADOW_VIEWS];  // texel of the atlas
 uniform vec3 in_opticsShadowSize[OPTICS_SHADOW_VIEWS];   // texels
 uniform vec3 in_opticsShadowOfLight[OPTICS_LIGHT_SLOTS]; // first view, the one behind the last, attenuation
+uniform mat3 in_opticsShadowToSlices;                    // a way in VTK's texture coordinates, to slices of the lights
 
 // A border that rounding has moved still belongs to the view.
 const float opticsViewTolerance = 1.0e-3;
 
-// The views find what reaches the slice in front of a place; this is between what reaches its own and the next one.
-const vec3 opticsToOwnSlice = vec3(0.0, 0.0, 1.0);
+float g_opticsShadowDepth = 0.0;     // optical depth along the ray, fading over a slice
+vec3 g_opticsShadowPlace = vec3(0.0); // where it was taken
+float g_opticsShadowClear = 1.0;     // transmittance of the ray up to there
 
-float opticsShadow(int index)
+// After the samples in front of this one.
+float opticsShadowOwn(float opacity)
+{
+  float clear = max(1.0 - g_fragColor.a, 1.0e-6);
+  float met = log(max(g_opticsShadowClear / clear, 1.0));
+  float slices = length(in_opticsShadowToSlices * (g_dataPos - g_opticsShadowPlace));
+  g_opticsShadowDepth = (g_opticsShadowDepth + met) * exp(-slices);
+  g_opticsShadowPlace = g_dataPos;
+  g_opticsShadowClear = clear;
+  return exp(-g_opticsShadowDepth) * StretchVisibility(opticsOwnOpacity(opacity), 1.0);
+}
+
+float opticsShadow(int index, float own)
 {
 #ifdef OPTICS_SWEEP
   return 1.0; // a sweep has no light
@@ -29,10 +44,9 @@ float opticsShadow(int index)
     if (seen.w > 0.0 && max(side.x, side.y) <= (0.5 + opticsViewTolerance) * seen.w)
     {
       vec3 size = in_opticsShadowSize[i];
-      vec3 texel = vec3(seen.xy / seen.w, seen.z) * size + opticsToOwnSlice;
-      texel = clamp(texel, vec3(0.5), size - 0.5);
+      vec3 texel = clamp(vec3(seen.xy / seen.w, seen.z) * size, vec3(0.5), size - 0.5);
       vec3 coordinates = (in_opticsShadowFirst[i] + texel) / vec3(textureSize(in_opticsShadows, 0));
-      return mix(1.0, texture(in_opticsShadows, coordinates).r, shadow.z);
+      return mix(1.0, own * texture(in_opticsShadows, coordinates).r, shadow.z);
     }
   }
   return 1.0;
