@@ -469,6 +469,7 @@ private:
         }
       }
       this->Add(49, std::cos(angle));
+      this->Add(53, std::cos(angle));
     }
     this->AddSlices();
   }
@@ -482,6 +483,7 @@ private:
       for (double length : { 0.0, 1e-6, 0.5, 1.0, 5.76, 1e6 })
       {
         this->Add(50, opacity, length);
+        this->Add(52, opacity, length);
       }
     }
     for (double scale : { 1e-6, 1.0, 1e6 })

@@ -264,6 +264,14 @@ vec4 EvaluateVisibility(int function, FunctionInput i)
   {
     return OneNumber(StretchTransmittance(i.p.x, i.p.y));
   }
+  if (function == 52)
+  {
+    return OneNumber(StretchVisibility(i.p.x, i.p.y));
+  }
+  if (function == 53)
+  {
+    return OneNumber(MeanWayOut(i.p.x));
+  }
   vec2 place = vec2(i.normal.x, i.normal.y);
   return TwoNumbers(PlaceOnSlice(place, vec2(i.major.x, i.major.y), i.p.x, i.p.y, i.p.z)); // 51
 }

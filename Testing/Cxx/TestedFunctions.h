@@ -193,6 +193,9 @@ const std::vector<TestedFunction>& TestedFunctions()
           c.P.z;
       },
       3.0, 8.0 },
+    { "StretchVisibility", one, 40.0, 160.0 },
+    // the logarithm of a number next to 1, at least 0.05 away
+    { "MeanWayOut", one, 40.0, 80.0 },
   };
   return functions;
 }
