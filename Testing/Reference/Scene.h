@@ -18,6 +18,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -141,6 +142,12 @@ struct Scene
   std::vector<Isosurface> isosurfaces;
   Silhouette silhouette = Silhouette::Off; // of surfaces, and of everything in data space
   TransmittedLight transmittedLight = TransmittedLight::Off;
+
+  // Share of the ambient light that reaches a point in front of the eye, [Schott2009] eq. 10; empty: all of it.
+  std::function<double(const Vector& point, const Vector& toViewer)> visibility;
+  Vector ambientColor = Vector(1.0); // radiance of the ambient light
+  // Share of a light that reaches a point; empty: all of it.
+  std::function<double(const Light& light, const Vector& point)> shadow;
 
   double step = 1.0;
   // Where the first sample lies, in steps behind the entry: 1 as VTK, 0.5 for the midpoint rule.
