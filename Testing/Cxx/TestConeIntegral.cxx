@@ -40,8 +40,7 @@ void CheckSlab(Check& check)
       const double cosine = 1.0 - (i + 0.5) / pieces * (1.0 - coneCosine);
       expected += std::exp(-2.0 * height / cosine) / pieces;
     }
-    const double value =
-      ConeVisibility(occluders, Vector(0.0, 0.0, 1.0 - height), Up, { angle, Rays, 1 }, 7);
+    const double value = ConeVisibility(occluders, Vector(0.0, 0.0, 1.0 - height), Up, { angle, Rays, 1 }, 7);
     check.Near("slab, " + std::to_string(angle), value, expected, 1.0e-4);
   }
 }
@@ -59,8 +58,8 @@ void CheckBall(Check& check)
   {
     const double expected = 1.0 - ConeSolidAngle(covered) / ConeSolidAngle(glm::radians(angle));
     // of the ball a ray may miss a chord of a step
-    check.Near("ball, " + std::to_string(angle),
-      ConeVisibility(occluders, point, Up, { angle, Rays, 1 }, 3), std::max(expected, 0.0), Noise + 2.0e-3);
+    check.Near("ball, " + std::to_string(angle), ConeVisibility(occluders, point, Up, { angle, Rays, 1 }, 3),
+      std::max(expected, 0.0), Noise + 2.0e-3);
   }
   check.Near("away from the ball", ConeVisibility(occluders, point, -Up, { 60.0, 64, 1 }, 3), 1.0, 0.0);
   check.Near("no cone, at it", ConeVisibility(occluders, point, Up, { 0.0, 8, 1 }, 3), 0.0, 1e-12);
@@ -69,8 +68,7 @@ void CheckBall(Check& check)
 // On the face of an opaque half space half of the cone is left, whatever its angle and axis along the face.
 void CheckHalfSpace(Check& check)
 {
-  const Scene scene =
-    scenes::OcclusionScene([](const Vector& p) { return p.x > 0.0 ? 1.0 : 0.0; }, 1.0e6);
+  const Scene scene = scenes::OcclusionScene([](const Vector& p) { return p.x > 0.0 ? 1.0 : 0.0; }, 1.0e6);
   const Occluders occluders(scene, 0.02);
   for (double angle : { 10.0, 60.0, 80.0, 180.0 })
   {

@@ -118,8 +118,7 @@ double Occluders::ExtinctionAt(const Vector& point) const
 }
 
 //------------------------------------------------------------------------------
-double Occluders::DepthByPoints(
-  const Vector& origin, const Vector& direction, const Interval& inside) const
+double Occluders::DepthByPoints(const Vector& origin, const Vector& direction, const Interval& inside) const
 {
   const double length = inside.exit - inside.entry;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / this->Unlit.step)));
@@ -163,8 +162,8 @@ std::vector<Vector> ConeDirections(const Vector& axis, const ConeRays& rays, std
     const double versine = coneVersine * (i + random.Next()) / rays.count;
     const double sine = std::sqrt(std::max(versine * (2.0 - versine), 0.0));
     const double azimuth = turn + i * (TwoPi * 0.6180339887498949);
-    directions.push_back((1.0 - versine) * axis +
-      sine * (std::cos(azimuth) * basis.first + std::sin(azimuth) * basis.second));
+    directions.push_back(
+      (1.0 - versine) * axis + sine * (std::cos(azimuth) * basis.first + std::sin(azimuth) * basis.second));
   }
   return directions;
 }
@@ -197,15 +196,14 @@ std::vector<ShownPoint> ShownPoints(const Scene& scene, double leastWeight)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> VisibilityAt(const Occluders& occluders, const std::vector<ShownPoint>& points,
-  const ConeRays& rays, const Vector* axis)
+std::vector<double> VisibilityAt(
+  const Occluders& occluders, const std::vector<ShownPoint>& points, const ConeRays& rays, const Vector* axis)
 {
   std::vector<double> values(points.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(points.size()), 64, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      values[i] =
-        ConeVisibility(occluders, points[i].position, axis ? *axis : points[i].toViewer, rays, i);
+      values[i] = ConeVisibility(occluders, points[i].position, axis ? *axis : points[i].toViewer, rays, i);
     }
   });
   return values;
@@ -229,8 +227,8 @@ std::vector<double> MeanOfPixels(
 }
 
 //------------------------------------------------------------------------------
-VisibilityError CompareVisibility(const std::vector<ShownPoint>& points, const std::vector<double>& values,
-  const std::vector<double>& truth)
+VisibilityError CompareVisibility(
+  const std::vector<ShownPoint>& points, const std::vector<double>& values, const std::vector<double>& truth)
 {
   VisibilityError error;
   double weights = 0.0;

@@ -46,8 +46,8 @@ struct ConeRays
 std::vector<Vector> ConeDirections(const Vector& axis, const ConeRays& rays, std::uint64_t pointNumber);
 
 // Mean transmittance over the cone about a unit axis.
-double ConeVisibility(
-  const Occluders& occluders, const Vector& point, const Vector& axis, const ConeRays& rays, std::uint64_t pointNumber);
+double ConeVisibility(const Occluders& occluders, const Vector& point, const Vector& axis,
+  const ConeRays& rays, std::uint64_t pointNumber);
 
 // A sample of the picture, with its share of the pixel's opacity.
 struct ShownPoint
@@ -77,8 +77,8 @@ struct VisibilityError
   double maximum = 0.0;
   double bias = 0.0; // mean of the error with its sign
 };
-VisibilityError CompareVisibility(const std::vector<ShownPoint>& points, const std::vector<double>& values,
-  const std::vector<double>& truth);
+VisibilityError CompareVisibility(
+  const std::vector<ShownPoint>& points, const std::vector<double>& values, const std::vector<double>& truth);
 }
 
 #endif

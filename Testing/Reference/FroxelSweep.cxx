@@ -144,8 +144,7 @@ double FroxelSweep::DistanceOf(int slice) const
 //------------------------------------------------------------------------------
 glm::dvec2 FroxelSweep::PlaceOf(int column, int row) const
 {
-  const glm::dvec2 share(
-    (column + 0.5) / this->Settings.froxels[0], (row + 0.5) / this->Settings.froxels[1]);
+  const glm::dvec2 share((column + 0.5) / this->Settings.froxels[0], (row + 0.5) / this->Settings.froxels[1]);
   return this->Frame.lowest + share * (this->Frame.highest - this->Frame.lowest);
 }
 
@@ -225,8 +224,7 @@ void FroxelSweep::SweepRow(int slice, int row, const std::vector<double>& depths
 }
 
 //------------------------------------------------------------------------------
-FroxelSweep::FroxelSweep(
-  const Occluders& occluders, const SliceFrame& frame, const SweepSettings& settings)
+FroxelSweep::FroxelSweep(const Occluders& occluders, const SliceFrame& frame, const SweepSettings& settings)
   : Frame(frame)
   , Settings(settings)
 {
