@@ -237,6 +237,17 @@ vec4 EvaluateLines(int function, FunctionInput i)
   return TwoNumbers(DepthBounds(i.p.x, i.p.y)); // 45
 }
 
+// Depths and scales; light, its mean, least and largest colour.
+vec4 EvaluateLineVoxel(int function, FunctionInput i)
+{
+  if (function == 46)
+  {
+    return OneNumber(DepthOfLines(i.p.x, i.normal.x, i.p.y, i.p.z, i.major.x, i.major.y));
+  }
+  vec3 color = ColorOfLines(i.normal, i.p.x, i.toLight, i.p.y, i.toViewer, i.major); // 47
+  return vec4(color.x, color.y, color.z, 0.0);
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
@@ -254,6 +265,10 @@ vec4 Evaluate(int function, FunctionInput i)
   if (function < 36)
   {
     return EvaluateInDataSpace(function, i);
+  }
+  if (function > 45)
+  {
+    return EvaluateLineVoxel(function, i);
   }
   return function < 40 ? EvaluateScalarPair(function, i) : EvaluateLines(function, i);
 }
