@@ -80,6 +80,10 @@ set(rendering_sources
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  LineAtlas
+  LineEvaluation
+  LineTextures
+  LineVoxelTerm
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm

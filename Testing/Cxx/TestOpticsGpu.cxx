@@ -46,7 +46,7 @@ std::string FragmentShader()
   std::string text = "//VTK::System::Dec\n//VTK::Output::Dec\n";
   for (const char* file :
     { "PhaseFunction", "Opacity", "DataSpace", "AnisotropyFrame", "Reflectance", "SoftRange",
-      "MultiSampleRule", "HybridNormal", "SphericalHarmonics", "CylinderLighting", "Visibility" })
+      "MultiSampleRule", "HybridNormal", "SphericalHarmonics", "CylinderLighting", "Visibility", "LineVoxel" })
   {
     text += ReadText(optics + file + ".glsl");
   }
