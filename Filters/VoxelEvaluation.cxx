@@ -18,7 +18,7 @@ const double LeastShare = 0.02;
 // The part of degree 0 comes first: it is never dropped.
 struct Sums
 {
-  double Channels[5] = {};
+  double Channels[LineChannels] = {};
   double Degree0 = 0.0, Degree2 = 0.0; // of the depth
 };
 
@@ -29,7 +29,7 @@ Sums SumVoxel(const LineCoefficients& set, vtkTypeInt64 voxel, const double* bas
   {
     const int harmonic = set.Harmonics[i];
     const float* values = set.Values + i * set.Channels;
-    for (int c = 0; c < set.Channels; ++c)
+    for (int c = 0; c < LineChannels; ++c)
     {
       sums.Channels[c] += values[c] * basis[harmonic];
     }
@@ -65,9 +65,7 @@ EvaluatedVoxel EvaluateVoxel(
   }
   const double area = sums.Channels[AreaChannel];
   const glm::dvec2 bounds = optics::DepthBounds(sums.Degree0, sums.Degree2);
-  const double beyond =
-    set.Channels > ProductChannel ? std::max(sums.Channels[ProductChannel] - area, 0.0) : 0.0;
-  result.Depth = (std::clamp(area, bounds.x, bounds.y) + beyond) * scale.Radius;
+  result.Depth = std::clamp(area, bounds.x, bounds.y) * scale.Radius;
   if (scale.Opacity < 1.0)
   {
     result.Depth = optics::OpticalDepth(scale.Opacity * optics::OneMinusExp(result.Depth));
