@@ -36,8 +36,8 @@ struct LineAccumulatorSettings
 {
   LineGrid Grid;
   const HarmonicBasis* Basis = nullptr;
-  int Channels = 4;
   double CoefficientTolerance = 0.0;
+  bool ExactProduct = true;
 };
 
 class LineAccumulator
@@ -90,6 +90,7 @@ private:
     std::vector<short> Slots;
     std::vector<int> Places;
     std::vector<double> Values;
+    SegmentRow Row;
   };
 
   void Clip(const LineInput& input, long long first, long long last, Portion& portion) const;
@@ -101,6 +102,8 @@ private:
   void SumType(TypeSums& type, int number, std::size_t range, Workspace& work) const;
   void Compress(const Sums& sums, LineBrick& brick) const;
   void ShareEnergy(const float* sums, double* shares) const;
+  void MarkKept(const float* sums, bool* isKept) const;
+  double DepthWeight(double weight) const;
   void CompressVoxel(const float* sums, LineBrick& brick) const;
 
   LineAccumulatorSettings Settings;

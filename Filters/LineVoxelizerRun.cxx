@@ -74,7 +74,7 @@ void vtkAnisotropicLineVoxelizer::StartSums()
   volumeoptics::LineAccumulatorSettings settings;
   settings.Grid = run.Grid;
   settings.Basis = run.Basis.get();
-  settings.Channels = this->ExactProduct ? 5 : 4;
+  settings.ExactProduct = this->ExactProduct;
   settings.CoefficientTolerance = this->CoefficientTolerance;
   run.Sums = std::make_unique<volumeoptics::LineAccumulator>(settings);
 }
@@ -97,7 +97,6 @@ bool vtkAnisotropicLineVoxelizer::AddTypes(const std::set<int>& types)
     settings.Material.Exponent = power >= 1.0 ? power : settings.Material.Exponent;
     settings.Lights = run.Lights;
     settings.ViewUp = { this->ViewUp[0], this->ViewUp[1], this->ViewUp[2] };
-    settings.QuarterSurface = this->ExactProduct ? run.Grid.Surface() / 4.0 : 0.0;
     std::unique_ptr<volumeoptics::CylinderProjection> projection;
     if (this->Projection == Sampled)
     {

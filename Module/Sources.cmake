@@ -42,6 +42,7 @@ set(filter_sources
   ImageGrid
   LineAccumulator
   LineInput
+  LineKernel
   LineLighting
   LineVoxelizerRun
   LineVoxels
@@ -52,6 +53,7 @@ set(filter_sources
   ScalarSource
   SobelStencil
   SphereDirections
+  TangentTable
   VoxelEvaluation)
 set(rendering_sources
   AttenuatedStretch
