@@ -79,6 +79,7 @@ endif ()
 add_subdirectory(Module/Plugin)
 include(Module/Package.cmake)
 add_subdirectory(Examples)
+include(Module/DebianPackage.cmake)
 
 if (BUILD_TESTING)
   include(Testing/Standalone.cmake)
