@@ -46,7 +46,9 @@ set(filter_sources
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
+  OwnedExtent
   PrincipalCurvature
+  ProcessGroup
   RangeSearch
   SamplePattern
   ScalarSource

@@ -41,7 +41,7 @@ endif ()
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
-  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
+  ParallelCore RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
   RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering
   ViewsContext2D jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}

@@ -55,4 +55,5 @@ foreach (name IN LISTS volumeoptics_install_tests)
   set_tests_properties("VolumeOptics${name}" PROPERTIES LABELS unit RESOURCE_LOCK install)
 endforeach ()
 
+add_subdirectory(Testing/Distributed)
 add_subdirectory(Testing/Benchmark)
