@@ -41,6 +41,7 @@ set(filter_sources
   HarmonicBasis
   ImageGrid
   LineAccumulator
+  LineExchange
   LineInput
   LineLighting
   LineVoxelizerRun

@@ -99,7 +99,8 @@ public:
     this->Result.CheckAtMost(
       isEmpty ? 0.0 : testing::CountDifferent(whole, piece, array), 0.0, what + "voxels that differ");
     this->Result.CheckAtMost(
-      std::abs(this->All.Sum(NumberOfOwnCells(piece, whole)) - NumberOfOwnCells(whole, whole)), 0.0, what + "cells missing");
+      std::abs(this->All.Sum(NumberOfOwnCells(piece, whole)) - NumberOfOwnCells(whole, whole)), 0.0,
+      what + "cells missing");
   }
 
   void Histogram(const Scene& scene, double factor)
@@ -119,9 +120,8 @@ public:
       auto* counts = vtkImageData::SafeDownCast(histogram->GetOutputDataObject(port));
       this->Result.CheckAtMost(
         testing::CountDifferent(wholes[port], counts, "Counts"), 0.0, what + ": bins that differ");
-      this->Result.CheckAtMost(
-        glm::distance(glm::dvec3(counts->GetOrigin()[0], counts->GetOrigin()[1], 0.0),
-          glm::dvec3(wholes[port]->GetOrigin()[0], wholes[port]->GetOrigin()[1], 0.0)),
+      this->Result.CheckAtMost(glm::distance(glm::dvec3(counts->GetOrigin()[0], counts->GetOrigin()[1], 0.0),
+                                 glm::dvec3(wholes[port]->GetOrigin()[0], wholes[port]->GetOrigin()[1], 0.0)),
         0.0, what + ": origins apart");
     }
     if (this->All.Size() > 1)
@@ -256,8 +256,8 @@ void CheckFixedPieces(Processes& all, FilterTest& test, const Scene& scene, test
   producer->SetWholeExtent(scene.Whole->GetExtent());
   histogram->SetInputConnection(producer->GetOutputPort());
   histogram->UpdatePiece(all.Rank(), all.Size(), 0);
-  report.CheckAtMost(testing::CountDifferent(counts, histogram->GetOutput(), "Counts"), 0.0,
-    "fixed pieces: bins that differ");
+  report.CheckAtMost(
+    testing::CountDifferent(counts, histogram->GetOutput(), "Counts"), 0.0, "fixed pieces: bins that differ");
 }
 
 // One process has the whole volume, the others nothing, as with readers that know no pieces.
