@@ -41,13 +41,16 @@ set(filter_sources
   HarmonicBasis
   ImageGrid
   LineAccumulator
+  LineExchange
   LineInput
   LineKernel
   LineLighting
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
+  OwnedExtent
   PrincipalCurvature
+  ProcessGroup
   RangeSearch
   SamplePattern
   ScalarSource
