@@ -246,7 +246,9 @@ bool vtkGradientAlignedHistogram::ComputeArrays(const ImageGrid& grid, const vol
   const Axis gradients = { 0.0, steepest, this->NumberOfBins };
   const Owners owners(vtkImageData::GetData(inputs[0]), grid.Factor);
   const volumeoptics::ScalarSource source(grid, rows, this->Smoothing * grid.VoxelLength);
-  const auto tiles = volumeoptics::SplitIntoTiles(grid.Whole, LargestTile, VoxelsOfTile);
+  Extent counted; // the whole, or a piece
+  output->GetExtent(counted.data());
+  const auto tiles = volumeoptics::SplitIntoTiles(counted, LargestTile, VoxelsOfTile);
   Counts counts;
   counts.Pairs.resize(static_cast<std::size_t>(this->NumberOfBins) * this->NumberOfBins);
   counts.Gradients.resize(counts.Pairs.size());

@@ -7,6 +7,7 @@
 
 #include "Batches.h"
 #include "GaussianFilter.h"
+#include "PieceExtent.h"
 #include "ScalarSource.h"
 
 #include "vtkDataObject.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 using volumeoptics::Extent;
 using volumeoptics::ImageGrid;
@@ -38,6 +40,28 @@ void SetGeometry(const ImageGrid& grid, vtkInformation* input, vtkInformation* o
   if (input->Has(vtkDataObject::DIRECTION()))
   {
     output->CopyEntry(input, vtkDataObject::DIRECTION());
+  }
+}
+
+// Those of the same grid, cut out of what the filter needed around them.
+void PassArrays(vtkImageData* input, vtkImageData* output)
+{
+  vtkNew<vtkImageData> part;
+  part->ShallowCopy(input);
+  part->Crop(output->GetExtent());
+  vtkPointData* arrays = part->GetPointData();
+  for (int array = 0; array < arrays->GetNumberOfArrays(); ++array)
+  {
+    const std::string name = arrays->GetArrayName(array) ? arrays->GetArrayName(array) : "";
+    const bool isNew = !name.empty() && !output->GetPointData()->HasArray(name.c_str());
+    if (isNew && name != vtkDataSetAttributes::GhostArrayName())
+    {
+      output->GetPointData()->AddArray(arrays->GetAbstractArray(array));
+    }
+  }
+  if (arrays->GetScalars() && arrays->GetScalars()->GetName())
+  {
+    output->GetPointData()->SetActiveScalars(arrays->GetScalars()->GetName());
   }
 }
 }
@@ -131,8 +155,68 @@ int vtkOpticsImageFilter::RequestUpdateExtent(
   this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent);
   int input[6];
   this->GetNeededExtent(grid, extent, input);
-  inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
+  vtkInformation* information = inputs[0]->GetInformationObject(0);
+  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
+  vtkInformation* output = outputs->GetInformationObject(0);
+  if (volumeoptics::IsPiece(output))
+  {
+    const int layers = output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      this->GetGhostLayers(grid, layers));
+  }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::GetGhostLayers(const ImageGrid& grid, int layersOfOutput)
+{
+  volumeoptics::Halo reach;
+  this->GetReach(grid, reach.data());
+  int largest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    int voxels = reach[axis];
+    if (this->Smoothing > 0.0)
+    {
+      voxels += volumeoptics::GaussianFilter(grid, this->Smoothing * grid.VoxelLength).GetHalo()[axis];
+    }
+    largest = std::max(largest, voxels);
+  }
+  return volumeoptics::GhostLayersOfInput(grid, layersOfOutput, largest);
+}
+
+//------------------------------------------------------------------------------
+// Of the extent to compute, what belongs to this piece of the input; of the grid, what there is of it, where
+// that is less than what is needed.
+void vtkOpticsImageFilter::LimitToPiece(
+  vtkImageData* input, vtkInformation* output, ImageGrid& grid, int extent[6])
+{
+  const int layers = output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  Extent piece = volumeoptics::OutputExtent(grid, volumeoptics::OwnExtent(input));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis] = std::max(extent[2 * axis], piece[2 * axis] - layers);
+    extent[2 * axis + 1] = std::min(extent[2 * axis + 1], piece[2 * axis + 1] + layers);
+  }
+  Extent wanted;
+  std::copy(extent, extent + 6, wanted.data());
+  Extent needed;
+  this->GetNeededExtent(grid, extent, needed.data());
+  Extent held;
+  input->GetExtent(held.data());
+  if (volumeoptics::IsEmpty(piece) || volumeoptics::IsEmpty(wanted) || volumeoptics::Contains(held, needed))
+  {
+    return;
+  }
+  vtkWarningMacro(<< "A piece of the input has fewer than the " << this->GetGhostLayers(grid, layers)
+                  << " layers of ghost cells that are needed: its borders count as the volume's. Give it ghost "
+                     "cells, by vtkGhostCellsGenerator for example.");
+  grid = volumeoptics::Restricted(grid, held);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis] = std::max(extent[2 * axis], grid.Whole[2 * axis]);
+    extent[2 * axis + 1] = std::min(extent[2 * axis + 1], grid.Whole[2 * axis + 1]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -181,9 +265,13 @@ int vtkOpticsImageFilter::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
-  const ImageGrid grid = this->GetGrid(inputs);
+  ImageGrid grid = this->GetGrid(inputs);
   Extent extent;
   this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent.data());
+  if (input && volumeoptics::IsPiece(outputs->GetInformationObject(0)))
+  {
+    this->LimitToPiece(input, outputs->GetInformationObject(0), grid, extent.data());
+  }
   if (!input || volumeoptics::IsEmpty(extent))
   {
     return 1;
@@ -212,6 +300,10 @@ int vtkOpticsImageFilter::RequestData(
     output->Initialize();
     return this->AbortExecute;
   }
+  if (this->PassInputArrays && this->IsOnInputGrid())
+  {
+    PassArrays(input, output);
+  }
   return 1;
 }
 
@@ -223,4 +315,5 @@ void vtkOpticsImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "InputComponent: " << this->InputComponent << "\n";
   os << indent << "OutputPrecision: " << this->OutputPrecision << "\n";
+  os << indent << "PassInputArrays: " << (this->PassInputArrays ? "on" : "off") << "\n";
 }

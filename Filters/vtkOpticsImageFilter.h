@@ -9,10 +9,12 @@
  * default the active scalars). Blanked points (vtkGhostType HIDDENPOINT), NaN and infinities have no
  * value and are left out; DUPLICATEPOINT marks valid values of a neighbouring piece, which are used.
  * Spacing and direction matrix are honoured: vectors are in world axes, lengths round in world space.
- * The output has the new arrays alone, not the input's.
+ * The output has the new arrays, and the input's only with PassInputArrays.
  *
  * Filters stream: a piece requests its extent and the neighbourhood that it needs, and pieces are
- * bit for bit parts of the whole. They run on all threads (vtkSMPTools), report progress from the
+ * bit for bit parts of the whole. In a distributed program, where pieces go by number, they ask for as many
+ * layers of ghost cells as they need; where the source gives fewer, a warning says so, and the piece's
+ * border counts as the volume's. They run on all threads (vtkSMPTools), report progress from the
  * calling thread and look for AbortExecute about every 30 ms; an aborted filter has an empty output.
  *
  * A number outside its range is set to the nearest one of the range, with a warning; a choice that does
@@ -82,6 +84,16 @@ public:
   vtkGetMacro(OutputPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether the output also has the input's point arrays, so that it can be drawn; with a ResolutionFactor
+   * of 1 alone. Default off.
+   */
+  vtkSetMacro(PassInputArrays, bool);
+  vtkGetMacro(PassInputArrays, bool);
+  vtkBooleanMacro(PassInputArrays, bool);
+  ///@}
+
 protected:
   vtkOpticsImageFilter() = default;
   ~vtkOpticsImageFilter() override = default;
@@ -113,6 +125,11 @@ protected:
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) = 0;
 
   /**
+   * Whether the output has voxels of the input, so that the input's arrays may be passed.
+   */
+  virtual bool IsOnInputGrid() const { return this->ResolutionFactor == 1.0; }
+
+  /**
    * The grid of the output, from the information of input port 0.
    */
   volumeoptics::ImageGrid GetGrid(vtkInformationVector** inputs);
@@ -136,8 +153,12 @@ protected:
   double Smoothing = 0.0;
   int InputComponent = 0;
   int OutputPrecision = 32;
+  bool PassInputArrays = false;
 
 private:
+  int GetGhostLayers(const volumeoptics::ImageGrid& grid, int layersOfOutput);
+  void LimitToPiece(vtkImageData* input, vtkInformation* output, volumeoptics::ImageGrid& grid, int extent[6]);
+
   vtkOpticsImageFilter(const vtkOpticsImageFilter&) = delete;
   void operator=(const vtkOpticsImageFilter&) = delete;
 };

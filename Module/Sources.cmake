@@ -46,6 +46,7 @@ set(filter_sources
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
+  PieceExtent
   PrincipalCurvature
   RangeSearch
   SamplePattern

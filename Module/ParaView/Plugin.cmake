@@ -19,8 +19,8 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../../..")
 vtk_module_scan(
   MODULE_FILES
     "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
-    "${CMAKE_CURRENT_SOURCE_DIR}/Module/ParaView/Representations/vtk.module"
-  REQUEST_MODULES  VolumeOptics::VolumeOptics VolumeOptics::Representations
+    "${CMAKE_CURRENT_SOURCE_DIR}/Module/ParaView/Classes/vtk.module"
+  REQUEST_MODULES  VolumeOptics::VolumeOptics VolumeOptics::ParaView
   PROVIDES_MODULES modules
   ENABLE_TESTS     OFF)
 

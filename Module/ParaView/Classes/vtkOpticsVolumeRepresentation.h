@@ -14,14 +14,14 @@
 #define vtkOpticsVolumeRepresentation_h
 
 #include "vtkImageVolumeRepresentation.h"
-#include "vtkVolumeOpticsRepresentationsModule.h" // for export macro
+#include "vtkVolumeOpticsParaViewModule.h" // for export macro
 
 #include <memory> // for the lighting
 
 class vtkOpticsMultiBlockVolumeMapper;
 class vtkOpticsVolumeProperty;
 
-class VTKVOLUMEOPTICSREPRESENTATIONS_EXPORT vtkOpticsVolumeRepresentation : public vtkImageVolumeRepresentation
+class VTKVOLUMEOPTICSPARAVIEW_EXPORT vtkOpticsVolumeRepresentation : public vtkImageVolumeRepresentation
 {
 public:
   static vtkOpticsVolumeRepresentation* New();

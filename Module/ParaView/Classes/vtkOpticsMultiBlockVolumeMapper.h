@@ -17,7 +17,7 @@
 #include "vtkMultiBlockVolumeMapper.h"
 #include "vtkNew.h"                               // for the optics
 #include "vtkSmartPointer.h"                      // for the blocks
-#include "vtkVolumeOpticsRepresentationsModule.h" // for export macro
+#include "vtkVolumeOpticsParaViewModule.h" // for export macro
 
 #include <functional> // for the knobs
 #include <map>        // for the knobs
@@ -29,7 +29,7 @@ class vtkDataSet;
 class vtkOpticsVolumeMapper;
 class vtkOpticsVolumeProperty;
 
-class VTKVOLUMEOPTICSREPRESENTATIONS_EXPORT vtkOpticsMultiBlockVolumeMapper : public vtkMultiBlockVolumeMapper
+class VTKVOLUMEOPTICSPARAVIEW_EXPORT vtkOpticsMultiBlockVolumeMapper : public vtkMultiBlockVolumeMapper
 {
 public:
   static vtkOpticsMultiBlockVolumeMapper* New();
