@@ -236,7 +236,7 @@ std::set<int> LineAccumulator::GetTypes() const
 
 std::size_t LineAccumulator::SizeOfVoxel() const
 {
-  return static_cast<std::size_t>(this->Settings.Basis->GetCount()) * this->Settings.Channels;
+  return static_cast<std::size_t>(this->Settings.Basis->GetCount()) * LineChannels;
 }
 
 // Numbers the bricks that one of the processes has something of.
