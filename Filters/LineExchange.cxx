@@ -74,8 +74,8 @@ void BytesReader::Read(LineBrick& brick)
 }
 
 // Processes take turns as the owners of bricks: number i belongs to i modulo their number. An owner adds up what
-// all have of a brick, in the order of the processes, compresses it, and gives it to all. Portions
-// of bricks bound what is under way at a time.
+// all have of a brick, in the order of the processes, compresses it, and gives it to those who want it.
+// Portions of bricks bound what is under way at a time.
 bool LineAccumulator::FinishTogether(Batches& batches, double progressAtEnd, const ProcessGroup& processes,
   const std::vector<long long>& occupied, std::vector<LineTypeBricks>& bricks)
 {
@@ -101,7 +101,8 @@ bool LineAccumulator::FinishTogether(Batches& batches, double progressAtEnd, con
       writer.Write(own[i].Label);
       writer.Write(compressed[i]);
     }
-    const std::vector<char> all = processes.GatherEverywhere(writer.Bytes);
+    const std::vector<char> all = this->Settings.OnAllProcesses ? processes.GatherEverywhere(writer.Bytes)
+                                                                : processes.GatherAt(0, writer.Bytes);
     for (BytesReader reader(all); !reader.IsAtEnd();)
     {
       BrickLabel label;
@@ -119,7 +120,8 @@ std::vector<LineAccumulator::SharedBrick> LineAccumulator::Collect(
   std::vector<SharedBrick> own;
   for (int owner = 0; owner < processes.GetSize(); ++owner)
   {
-    const std::vector<char> all = processes.GatherAt(owner, this->BytesFor(owner, processes, occupied, range));
+    const std::vector<char> all =
+      processes.GatherAt(owner, this->BytesFor(owner, processes, occupied, range));
     std::map<std::pair<long long, int>, LineSums> sums;
     for (BytesReader reader(all); !reader.IsAtEnd();)
     {
@@ -138,8 +140,8 @@ std::vector<LineAccumulator::SharedBrick> LineAccumulator::Collect(
 }
 
 // What this process has of an owner's bricks; it has it no longer.
-std::vector<char> LineAccumulator::BytesFor(int owner, const ProcessGroup& processes,
-  const std::vector<long long>& occupied, const BrickRange& range)
+std::vector<char> LineAccumulator::BytesFor(
+  int owner, const ProcessGroup& processes, const std::vector<long long>& occupied, const BrickRange& range)
 {
   BytesWriter writer;
   for (std::size_t i = range.First; i < range.Last; ++i)

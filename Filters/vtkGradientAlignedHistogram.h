@@ -70,6 +70,16 @@ public:
   vtkGetMacro(StepLength, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether every process that shares the volume has the result, or the first one alone, the others an empty
+   * output: for programs that put together what all processes have, such as ParaView. Default on.
+   */
+  vtkSetMacro(ResultOnAllProcesses, bool);
+  vtkGetMacro(ResultOnAllProcesses, bool);
+  vtkBooleanMacro(ResultOnAllProcesses, bool);
+  ///@}
+
 protected:
   vtkGradientAlignedHistogram();
   ~vtkGradientAlignedHistogram() override;
@@ -97,6 +107,7 @@ private:
   int NumberOfBins = 256;
   double ScalarRange[2] = { 1.0, 0.0 };
   double StepLength = 1.0;
+  bool ResultOnAllProcesses = true;
   std::unique_ptr<Run> Current; // in an update
 };
 
