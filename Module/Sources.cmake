@@ -26,7 +26,8 @@ set(rendering_classes
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty
-  vtkPreIntegratedTable)
+  vtkPreIntegratedTable
+  vtkVisibilitySweep)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -83,6 +84,7 @@ set(rendering_sources
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
+  OcclusionTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsMapperKnobs
@@ -98,6 +100,10 @@ set(rendering_sources
   ReflectanceTerm
   ScalarPair
   SceneNeeds
+  SweepGrid
+  SweepProgram
+  SweepTarget
+  SweepViews
   TermTexture
   TetrahedraVertices
   TetrahedralGrid
