@@ -10,6 +10,7 @@
 #include "LightingTransferFunctionTerm.h"
 #include "LineVoxelTerm.h"
 #include "MultiSampleTerm.h"
+#include "OcclusionTerm.h"
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
 #include "SceneNeeds.h"
@@ -22,6 +23,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -52,8 +54,10 @@ public:
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
   LineVoxelTerm Lines;
+  OcclusionTerm Occlusion;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines,
+    &this->Occlusion };
   vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of lines whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
@@ -335,6 +339,35 @@ void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
   const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
   range[0] = loaded[0];
   range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetNumberOfBlocks()
+{
+  const auto& parts = this->AssembledInputs[0].Texture->GetPartitions();
+  return parts[0] * parts[1] * parts[2];
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkOpticsVolumeMapper::GetVolumeTexture()
+{
+  return this->AssembledInputs[0].Texture->GetCurrentBlock()->TextureObject;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetTextureToData(double matrix[16])
+{
+  vtkVolumeTexture* texture = this->AssembledInputs[0].Texture;
+  double pointToCell[16];
+  vtkMatrix4x4::Invert(texture->CellToPointMatrix->GetData(), pointToCell);
+  vtkMatrix4x4::Multiply4x4(texture->GetCurrentBlock()->TextureToDataset->GetData(), pointToCell, matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetAverageIPScalarRange(double range[2])
+{
+  this->Superclass::GetAverageIPScalarRange(range);
+  this->Terms->Pass->BeforeDraw();
 }
 
 //------------------------------------------------------------------------------
