@@ -83,6 +83,7 @@ set(rendering_sources
   LineAtlas
   LineEvaluation
   LineTextures
+  LineVolume
   LineVoxelTerm
   MaterialSearch
   MultiSampleRules
