@@ -89,6 +89,7 @@ set(rendering_sources
   LineAtlas
   LineEvaluation
   LineTextures
+  LineVolume
   LineVoxelTerm
   MaterialSearch
   MultiSampleRules

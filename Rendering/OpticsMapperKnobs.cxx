@@ -5,7 +5,6 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
-#include "LineVoxels.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
 #include "vtkAmbientCovarianceFilter.h"
@@ -210,7 +209,7 @@ void vtkOpticsVolumeMapper::UpdateSampleDistance(vtkRenderer* renderer)
     return;
   }
   double spacing[3];
-  volumeoptics::GetVoxelSpacing(image, spacing);
+  this->GetVoxelSpacing(spacing);
   const double smallest = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   const double slack = this->IsInteractive(renderer) ? 2.0 : 1.0;
   this->SetAutoAdjustSampleDistances(0);
@@ -230,7 +229,7 @@ double vtkOpticsVolumeMapper::GetFrameSampleDistance(vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
   double spacing[3];
-  volumeoptics::GetVoxelSpacing(image, spacing);
+  this->GetVoxelSpacing(spacing);
   if (this->AutoAdjustSampleDistances)
   {
     double least = VTK_DOUBLE_MAX;

@@ -47,16 +47,16 @@
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
+#include "LineBlock.h"
+#include "LineBlockNone.h"
 #include "LineFragment.h"
 #include "LineLookup.h"
 #include "LineRay.h"
-#include "LineSample.h"
 #include "LineShadingImpl.h"
 #include "LineShadingInit.h"
 #include "LineTerminate.h"
 #include "LineVoxel.h"
 #include "LinesDec.h"
-#include "LinesInit.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
 #include "MultiSampleRule.h"
@@ -183,7 +183,6 @@ const Row Table[] = {
 
   { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
-  { F::Lines, &BaseInit, LinesInit },
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
   { F::OpacityFormulas, &ComputeLightingDec, Opacity },
@@ -292,7 +291,8 @@ const Row Table[] = {
   { F::Integral, &TerminateImpl, IntegralTerminate },
 
   { F::Lines, &ComputeRayDirectionDec, LineLookup },
-  { F::Lines, &ComputeRayDirectionDec, LineSample },
+  { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
+  { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
   { F::Lines, &ComputeRayDirectionDec, LineRay },
   { F::Lines, &ShadingInit, LineShadingInit },
   { F::Lines, &ShadingImpl, LineShadingImpl },

@@ -93,6 +93,8 @@ enum class OpticsFeature
   IsosurfacesNone,
   Isosurfaces,
   Lines, // anisotropic voxels are drawn in place of VTK's samples
+  LineBlock,
+  LineBlockNone,
   Count
 };
 

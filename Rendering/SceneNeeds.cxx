@@ -37,10 +37,6 @@ std::string FindUnsupported(const OpticsScene& scene)
   {
     return "data other than vtkImageData";
   }
-  if (HasLineVoxels(scene))
-  {
-    return "lines as anisotropic voxels, which have opacity and light of their own";
-  }
   if (IsFlat(scene))
   {
     return "a volume of a single point on an axis";
@@ -58,6 +54,13 @@ std::string FindUnsupported(const OpticsScene& scene)
     return "a gradient opacity of labels";
   }
   return std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupportedBySamples(const OpticsScene& scene)
+{
+  return HasLineVoxels(scene) ? "lines as anisotropic voxels, which have opacity and light of their own"
+                              : FindUnsupported(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -86,7 +89,7 @@ std::string FindUnsupportedByLines(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 std::string FindUnsupportedByIntegral(const OpticsScene& scene)
 {
-  std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty())
   {
     return reason;
@@ -127,7 +130,7 @@ bool WantsLighting(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool ReplacesLighting(const OpticsScene& scene)
 {
-  return WantsLighting(scene) && FindUnsupported(scene).empty();
+  return WantsLighting(scene) && FindUnsupportedBySamples(scene).empty();
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +154,7 @@ bool WantsClassification(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 std::string FindUnsupportedByClassification(const OpticsScene& scene)
 {
-  std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty())
   {
     return reason;

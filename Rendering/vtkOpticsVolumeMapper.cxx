@@ -270,6 +270,38 @@ void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputConnection(vtkAlgorithmOutput* output)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(output);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputData(vtkImageData* voxels)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(voxels);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+// Of the finer ones, where a block replaces lines.
+void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  volumeoptics::GetVoxelSpacing(image, spacing);
+  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->Terms->Lines.GetBlock() : nullptr;
+  double ofBlock[3] = { spacing[0], spacing[1], spacing[2] };
+  if (block)
+  {
+    volumeoptics::GetVoxelSpacing(block, ofBlock);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = std::min(std::abs(spacing[axis]), std::abs(ofBlock[axis]));
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
 {
   return this->Terms->Frames.Provider.Sobel;

@@ -301,6 +301,15 @@ public:
 
   ///@{
   /**
+   * Voxels of other lines, or finer ones of the same, that replace those of the input in their box, which lies within
+   * that of the input. Default none. Source: [Schussman2004] fig. 7.
+   */
+  void SetLineBlockInputConnection(vtkAlgorithmOutput* output);
+  void SetLineBlockInputData(vtkImageData* voxels);
+  ///@}
+
+  ///@{
+  /**
    * Bits of each number of voxels of lines on the GPU: 16 or 32 (float). Default 16. Other numbers are refused with
    * a warning.
    */
@@ -381,6 +390,7 @@ private:
 
   void UpdateSampleDistance(vtkRenderer* renderer);
   void RenderLines(vtkRenderer* renderer, vtkVolume* volume);
+  void GetVoxelSpacing(double spacing[3]);
   std::string FindMissing();
 
   double FrameResolutionFactor = 1.0;
