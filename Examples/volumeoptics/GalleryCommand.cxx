@@ -66,7 +66,9 @@ void DrawSections(GalleryContents& contents, GalleryStudio& studio)
     for (const GalleryPicture& picture : section.Pictures)
     {
       drawing.Update(contents.Results.size() / count, section.Title + ": " + picture.Title);
-      contents.Results[picture.Name] = section.HasScores
+      contents.Results[picture.Name] = !picture.Lines.Source.empty()
+        ? studio.DrawLines(picture.Name, picture.Lines, picture.Settings)
+        : section.HasScores
         ? studio.Draw(picture.Name, picture.Field, picture.Settings)
         : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
     }

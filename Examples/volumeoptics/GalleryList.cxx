@@ -230,7 +230,7 @@ std::vector<GallerySection> GalleryList(bool withCranium)
   {
     sections.push_back(section);
   }
-  for (const auto& more : { IntegrationSections(withCranium), LightingSections(withCranium) })
+  for (const auto& more : { IntegrationSections(withCranium), LightingSections(withCranium), LineSections() })
   {
     sections.insert(sections.end(), more.begin(), more.end());
   }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the gallery shows: sections of pictures, after the figures of [Ament2015] and [Kraus2005].
+// What the gallery shows: sections of pictures, after the figures of the papers.
 
 #ifndef GalleryList_h
 #define GalleryList_h
 
+#include "GalleryLines.h"
 #include "PictureSettings.h"
 
 #include <string>
@@ -18,6 +19,7 @@ struct GalleryPicture
   std::string Field; // see GalleryField()
   PictureSettings Settings;
   std::string Caption = ""; // what to see; empty: the settings of the reflectance
+  LinePicture Lines = {};   // in place of the field, where it has a source
 };
 
 struct GallerySection

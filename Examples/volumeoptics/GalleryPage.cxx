@@ -77,7 +77,8 @@ void PutPicture(std::ostream& page, const GalleryPicture& picture, const Picture
        << TimeText(result.FrameSeconds);
   if (result.PreparationSeconds > 0.0)
   {
-    page << ", normals and covariance " << TimeText(result.PreparationSeconds);
+    page << (picture.Lines.Source.empty() ? ", normals and covariance " : ", voxels from lines ")
+         << TimeText(result.PreparationSeconds);
   }
   if (!result.Reference.empty())
   {
