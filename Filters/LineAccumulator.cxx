@@ -5,6 +5,7 @@
 
 #include "Batches.h"
 #include "Optics.h"
+#include "ProcessGroup.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -184,22 +185,17 @@ void LineAccumulator::SumBrick(std::size_t range, Workspace& work)
     {
       continue;
     }
-    std::unique_ptr<Sums>& kept = type.Bricks[this->Ranges[range].Brick];
+    std::unique_ptr<LineSums>& kept = type.Bricks[this->Ranges[range].Brick];
     if (!kept)
     {
-      kept = std::make_unique<Sums>();
+      kept = std::make_unique<LineSums>();
       kept->Slots.assign(places, -1);
     }
     for (std::size_t i = 0; i < work.Places.size(); ++i)
     {
-      short& slot = kept->Slots[work.Places[i]];
-      if (slot < 0)
-      {
-        slot = static_cast<short>(kept->Values.size() / size);
-        kept->Values.resize(kept->Values.size() + size, 0.0F);
-      }
-      std::transform(&work.Values[i * size], &work.Values[i * size] + size, &kept->Values[slot * size],
-        &kept->Values[slot * size], [](double added, float sum) { return static_cast<float>(sum + added); });
+      float* to = kept->At(work.Places[i], size);
+      std::transform(&work.Values[i * size], &work.Values[i * size] + size, to, to,
+        [](double added, float sum) { return static_cast<float>(sum + added); });
     }
   }
 }
@@ -228,40 +224,80 @@ void LineAccumulator::SumType(TypeSums& type, int number, std::size_t range, Wor
   }
 }
 
-bool LineAccumulator::Finish(
-  Batches& batches, double progressAtEnd, std::vector<int>& brickIndices, std::vector<LineTypeBricks>& bricks)
+std::set<int> LineAccumulator::GetTypes() const
+{
+  std::set<int> types;
+  for (const auto& type : this->Types)
+  {
+    types.insert(type.first);
+  }
+  return types;
+}
+
+std::size_t LineAccumulator::SizeOfVoxel() const
+{
+  return static_cast<std::size_t>(this->Settings.Basis->GetCount()) * this->Settings.Channels;
+}
+
+// Numbers the bricks that one of the processes has something of.
+std::vector<long long> LineAccumulator::NumberBricks(
+  const ProcessGroup& processes, std::vector<int>& brickIndices) const
 {
   const long long count = this->Settings.Grid.NumberOfBricks();
+  std::vector<unsigned char> isOccupied(count);
+  for (long long brick = 0; brick < count; ++brick)
+  {
+    isOccupied[brick] = std::any_of(
+      this->Types.begin(), this->Types.end(), [&](const auto& type) { return !!type.second.Bricks[brick]; });
+  }
+  processes.Largest(isOccupied);
   brickIndices.assign(count, -1);
   std::vector<long long> occupied;
   for (long long brick = 0; brick < count; ++brick)
   {
-    const bool isOccupied = std::any_of(
-      this->Types.begin(), this->Types.end(), [&](const auto& type) { return !!type.second.Bricks[brick]; });
-    if (isOccupied)
+    if (isOccupied[brick])
     {
       brickIndices[brick] = static_cast<int>(occupied.size());
       occupied.push_back(brick);
     }
   }
-  for (const auto& type : this->Types)
+  return occupied;
+}
+
+void LineAccumulator::MakeSets(
+  const ProcessGroup& processes, std::size_t occupied, std::vector<LineTypeBricks>& bricks)
+{
+  for (auto& type : this->Types)
   {
     bricks.emplace_back();
     bricks.back().Type = type.first;
     bricks.back().Channels = LineChannels;
-    bricks.back().Bricks.resize(occupied.size());
-    const LineBounds& colors = type.second.Colors;
+    bricks.back().Bricks.resize(occupied);
+    LineBounds& colors = type.second.Colors;
+    processes.Least(&colors.Least.x, 3);
+    processes.Largest(&colors.Largest.x, 3);
     if (!colors.IsEmpty())
     {
       bricks.back().ColorRange = type.second.Projection->ColorRange(colors.Least, colors.Largest);
     }
+  }
+}
+
+bool LineAccumulator::Finish(Batches& batches, double progressAtEnd, const ProcessGroup& processes,
+  std::vector<int>& brickIndices, std::vector<LineTypeBricks>& bricks)
+{
+  const std::vector<long long> occupied = this->NumberBricks(processes, brickIndices);
+  this->MakeSets(processes, occupied.size(), bricks);
+  if (processes.IsShared())
+  {
+    return this->FinishTogether(batches, progressAtEnd, processes, occupied, bricks);
   }
   return batches.Run(static_cast<long long>(occupied.size()), progressAtEnd, [&](long long i) {
     std::size_t set = 0;
     for (auto& type : this->Types)
     {
       LineBrick& brick = bricks[set++].Bricks[i];
-      if (std::unique_ptr<Sums>& sums = type.second.Bricks[occupied[i]])
+      if (std::unique_ptr<LineSums>& sums = type.second.Bricks[occupied[i]])
       {
         this->Compress(*sums, brick);
         sums.reset();
@@ -270,7 +306,7 @@ bool LineAccumulator::Finish(
   });
 }
 
-void LineAccumulator::Compress(const Sums& sums, LineBrick& brick) const
+void LineAccumulator::Compress(const LineSums& sums, LineBrick& brick) const
 {
   const std::size_t size = static_cast<std::size_t>(this->Settings.Basis->GetCount()) * LineChannels;
   for (std::size_t place = 0; place < sums.Slots.size(); ++place)

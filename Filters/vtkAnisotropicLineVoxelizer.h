@@ -33,6 +33,10 @@
  * are set or the source names its bounds (vtkDataObject::BOUNDING_BOX()); otherwise a first pass
  * finds the bounds.
  *
+ * Processes that share the lines (SetController()) each voxelize their own piece in one common box; the sums
+ * of all are added up, and every process has the voxels of the whole, to the rounding of float those of one
+ * process. A process may have no lines.
+ *
  * Limits: the order of segments within a voxel is lost; lights are directional and do not reach other
  * lines' shadows; they are baked in.
  */
@@ -50,6 +54,7 @@
 #include <string> // for names of arrays
 
 class vtkLightCollection;
+class vtkMultiProcessController;
 class vtkPolyData;
 class vtkProperty;
 class vtkScalarsToColors;
@@ -223,10 +228,21 @@ public:
 
   ///@{
   /**
-   * Pieces that the source is asked for, one after the other; at least 1, the default.
+   * Pieces that the source is asked for, one after the other; at least 1, the default. Each of the
+   * processes that share the lines asks for so many.
    */
   void SetNumberOfPieces(int pieces);
   vtkGetMacro(NumberOfPieces, int);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that share the lines, each with the piece of its own number of as many pieces. All of
+   * them must update the filter then, as with any parallel filter of VTK. Blocks of composite data stand alone.
+   * Default: the global controller at the filter's construction, none in programs of one process.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
   ///@}
 
   vtkMTimeType GetMTime() override;
@@ -246,13 +262,16 @@ private:
 
   struct Run;
   void SetName(std::string& array, const char* name);
-  void StartRun(vtkInformation* input);
+  void StartRun(vtkInformation* input, vtkInformation* output);
+  bool AgreeOnBounds(bool isRight);
+  bool AllAreRight(bool isRight);
+  bool ShareTypes();
   bool AddPiece(vtkInformationVector** inputs);
   bool AddBounds(vtkPolyData* lines);
   double ProgressAfterPiece(double afterAll) const;
   bool AddTypes(const std::set<int>& types);
   void StartSums();
-  void Write(vtkImageData* output);
+  bool Write(bool isRight, vtkImageData* output);
   void Warn();
 
   int SampleDimensions[3] = { 128, 128, 128 };
@@ -271,6 +290,7 @@ private:
   int NumberOfDirections = 512;
   bool ExactProduct = true;
   int NumberOfPieces = 1;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   std::unique_ptr<Run> Current; // between the pieces
 };
 

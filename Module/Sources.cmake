@@ -41,13 +41,16 @@ set(filter_sources
   HarmonicBasis
   ImageGrid
   LineAccumulator
+  LineExchange
   LineInput
   LineKernel
   LineLighting
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
+  OwnedExtent
   PrincipalCurvature
+  ProcessGroup
   RangeSearch
   SamplePattern
   ScalarSource
@@ -82,6 +85,10 @@ set(rendering_sources
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  LineAtlas
+  LineEvaluation
+  LineTextures
+  LineVoxelTerm
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
@@ -90,6 +97,7 @@ set(rendering_sources
   OpticsMapperKnobs
   OpticsScene
   OpticsShaderTable
+  OpticsVisibility
   PairCounts
   PreIntegratedTexture
   PreIntegration

@@ -17,6 +17,7 @@
 #include "ColorOfSample.h"
 #include "ColorOfSegment.h"
 #include "ColorTable.h"
+#include "CylinderLighting.h"
 #include "DataSpace.h"
 #include "DataSpaceInterior.h"
 #include "DataSpaceSegment.h"
@@ -43,6 +44,16 @@
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
+#include "LineFragment.h"
+#include "LineLookup.h"
+#include "LineRay.h"
+#include "LineSample.h"
+#include "LineShadingImpl.h"
+#include "LineShadingInit.h"
+#include "LineTerminate.h"
+#include "LineVoxel.h"
+#include "LinesDec.h"
+#include "LinesInit.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
 #include "MultiSampleRule.h"
@@ -90,6 +101,7 @@
 #include "SilhouetteGeometry.h"
 #include "SilhouetteOff.h"
 #include "SoftRange.h"
+#include "SphericalHarmonics.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
@@ -123,6 +135,7 @@ const Place ClippingImpl = { "//VTK::Clipping::Impl", true };
 const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
+const Place AfterTerminateImpl = { "//VTK::Terminate::Impl", true };
 // Places of our own, in Lighting.glsl.
 const Place GradientPlace = { "//Optics::Gradient", false };
 const Place SurfacePlace = { "//Optics::Surface", false };
@@ -143,9 +156,11 @@ const Row Table[] = {
   { F::Transmitted, &BaseDec, TransmittedDec },
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
+  { F::Lines, &BaseDec, LinesDec },
 
   { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
+  { F::Lines, &BaseInit, LinesInit },
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
   { F::OpacityFormulas, &ComputeLightingDec, Opacity },
@@ -232,6 +247,13 @@ const Row Table[] = {
   { F::Integral, &ShadingInit, IntegralInit },
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
+
+  { F::Lines, &ComputeRayDirectionDec, LineLookup },
+  { F::Lines, &ComputeRayDirectionDec, LineSample },
+  { F::Lines, &ComputeRayDirectionDec, LineRay },
+  { F::Lines, &ShadingInit, LineShadingInit },
+  { F::Lines, &ShadingImpl, LineShadingImpl },
+  { F::Lines, &AfterTerminateImpl, LineTerminate },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
@@ -327,7 +349,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 {
   bool found = InsertLighting(fragment, features);
   for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &ShadingImpl, &TerminateImpl })
+         &ShadingImpl, &TerminateImpl, &AfterTerminateImpl })
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }
@@ -339,6 +361,16 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
   const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
   return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
+}
+
+//------------------------------------------------------------------------------
+std::string LineEvaluationFragmentShader(int order, int types, bool hasProduct)
+{
+  const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
+    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n#define OPTICS_LINE_PRODUCT " +
+    (hasProduct ? "1\n" : "0\n");
+  return "//VTK::System::Dec\n//VTK::Output::Dec\n" + constants + Opacity + SphericalHarmonics +
+    CylinderLighting + LineVoxel + LineFragment;
 }
 
 //------------------------------------------------------------------------------

@@ -74,6 +74,7 @@ enum class OpticsFeature
   HiddenByCropping,
   IsosurfacesNone,
   Isosurfaces,
+  Lines, // anisotropic voxels are drawn in place of VTK's samples
   Count
 };
 
@@ -104,6 +105,11 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
  * Replaces statements of VTK's own text, after VTK has written it. Returns false as above.
  */
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
+
+/**
+ * The shader that evaluates anisotropic voxels of an order and a number of line types.
+ */
+std::string LineEvaluationFragmentShader(int order, int types, bool hasProduct);
 
 /**
  * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.

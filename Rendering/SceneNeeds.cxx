@@ -3,6 +3,7 @@
 
 #include "SceneNeeds.h"
 
+#include "LineVoxels.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -36,6 +37,10 @@ std::string FindUnsupported(const OpticsScene& scene)
   {
     return "data other than vtkImageData";
   }
+  if (HasLineVoxels(scene))
+  {
+    return "lines as anisotropic voxels, which have opacity and light of their own";
+  }
   if (IsFlat(scene))
   {
     return "a volume of a single point on an axis";
@@ -53,6 +58,29 @@ std::string FindUnsupported(const OpticsScene& scene)
     return "a gradient opacity of labels";
   }
   return std::string();
+}
+
+//------------------------------------------------------------------------------
+bool HasLineVoxels(const OpticsScene& scene)
+{
+  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
+  const char* name = scene.Scalars->GetName();
+  return image && scene.CellScalars && name && std::string(name) == "BrickIndex" &&
+    volumeoptics::HoldsLineVoxels(image);
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupportedByLines(const OpticsScene& scene)
+{
+  if (scene.Mapper->GetInputCount() > 1)
+  {
+    return "several volumes in one mapper (vtkMultiVolume)";
+  }
+  if (scene.Mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    return "a blend mode other than composite";
+  }
+  return HasLabels(scene) ? "label maps" : "";
 }
 
 //------------------------------------------------------------------------------

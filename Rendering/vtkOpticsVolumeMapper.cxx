@@ -8,9 +8,11 @@
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
 #include "LightingTransferFunctionTerm.h"
+#include "LineVoxelTerm.h"
 #include "MultiSampleTerm.h"
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
+#include "SceneNeeds.h"
 #include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -49,8 +51,10 @@ public:
   IntegrationTerm Integration{ this->Frames };
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
+  LineVoxelTerm Lines;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines };
+  vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of lines whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -124,16 +128,52 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
     this->Say("The renderer has more lights than the " + std::to_string(LightLimit::Largest) +
       " that this VTK's volume shader holds: the last ones are left out.");
   }
-  const OpticsScene scene = MakeOpticsScene(this, renderer, volume);
+  OpticsScene scene = MakeOpticsScene(this, renderer, volume);
+  const bool hasLines = scene.Scalars && HasLineVoxels(scene);
+  if (hasLines && !scene.Optics)
+  {
+    scene.Optics = this->Terms->PlainOptics;
+  }
   const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
+  if (active.empty() && hasLines)
+  {
+    return; // a picture of the bricks' numbers would mean nothing
+  }
   if (active.empty())
   {
     this->Superclass::GPURender(renderer, volume);
     return;
   }
   this->Terms->Pass->Attach(scene, active);
-  this->Superclass::GPURender(renderer, volume);
+  if (hasLines)
+  {
+    this->RenderLines(renderer, volume);
+  }
+  else
+  {
+    this->Superclass::GPURender(renderer, volume);
+  }
   this->Terms->Pass->Detach();
+}
+
+//------------------------------------------------------------------------------
+// VTK would take its sample distance from the bricks, which are the image's cells.
+void vtkOpticsVolumeMapper::RenderLines(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->ComputeReductionFactor(volume->GetAllocatedRenderTime());
+  const double reduction = this->ReductionFactor;
+  const auto distance = static_cast<float>(this->GetFrameSampleDistance(volume));
+  const vtkTypeBool isAdjusted = this->AutoAdjustSampleDistances;
+  const vtkTypeBool isLocked = this->LockSampleDistanceToInputSpacing;
+  const float own = this->SampleDistance;
+  this->AutoAdjustSampleDistances = 0;
+  this->LockSampleDistanceToInputSpacing = 0;
+  this->SampleDistance = distance;
+  this->Superclass::GPURender(renderer, volume);
+  this->AutoAdjustSampleDistances = isAdjusted;
+  this->LockSampleDistanceToInputSpacing = isLocked;
+  this->SampleDistance = own;
+  this->ReductionFactor = reduction;
 }
 
 //------------------------------------------------------------------------------

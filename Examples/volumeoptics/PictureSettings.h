@@ -55,10 +55,19 @@ struct LightingSettings
   std::string Rules; // of a classification by several samples, JSON text; empty: none
 };
 
+struct VisibilitySettings
+{
+  double OcclusionAngle = -1.0; // degrees; below 0: no occlusion
+  std::array<double, 3> AmbientColor = { 1.0, 1.0, 1.0 };
+  bool Shadows = false;
+  double ShadowAngle = 0.0; // degrees
+};
+
 struct PictureSettings
 {
   OpticsSettings Optics;
   LightingSettings Lighting;
+  VisibilitySettings Visibility;
   AmbientSettings Ambient;
   CameraSettings Camera;
   std::vector<LightSettings> Lights = { LightSettings{} };
@@ -75,8 +84,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightingSettings, Function, Scale, StepLength, HybridNormals, Rules)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VisibilitySettings, OcclusionAngle, AmbientColor, Shadows, ShadowAngle)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity, OneSided)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-  PictureSettings, Optics, Lighting, Ambient, Camera, Lights, Function, Size, Background, Step, Quality)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PictureSettings, Optics, Lighting, Visibility, Ambient, Camera, Lights,
+  Function, Size, Background, Step, Quality)
 
 #endif

@@ -113,6 +113,7 @@ void VolumeScene::Apply(const PictureSettings& picture)
   this->ApplyMapper(picture.Function.Integration);
   this->ApplyOptics(picture.Optics);
   ::Apply(picture.Lighting, this->Property);
+  this->ApplyVisibility(picture.Visibility);
   this->ApplyAmbient(picture.Ambient);
   this->ApplyQuality(picture.Quality);
   this->Mapper->SetSampleDistance(
@@ -163,6 +164,18 @@ void VolumeScene::ApplyOptics(const OpticsSettings& optics)
   this->Property->SetScatteringAnisotropy(static_cast<float>(optics.Scattering));
   this->Property->SetFrameSource(optics.FrameSource == "curvature" ? vtkOpticsVolumeProperty::Curvature
                                                                    : vtkOpticsVolumeProperty::Covariance);
+}
+
+void VolumeScene::ApplyVisibility(const VisibilitySettings& visibility)
+{
+  this->Property->SetOcclusion(visibility.OcclusionAngle >= 0.0);
+  if (visibility.OcclusionAngle >= 0.0)
+  {
+    this->Property->SetOcclusionAngle(visibility.OcclusionAngle);
+  }
+  this->Property->SetAmbientColor(visibility.AmbientColor.data());
+  this->Property->SetShadows(visibility.Shadows);
+  this->Property->SetShadowAngle(visibility.ShadowAngle);
 }
 
 void VolumeScene::ApplyAmbient(const AmbientSettings& ambient)

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Looks anisotropic voxels up: interpolated between their middles, as they are beyond the outermost ones. Needs
+// Opacity.
+
+// The brick whose tile holds the position.
+vec3 opticsLineTile(vec3 position, vec3 dimensions, vec3 brick)
+{
+  vec3 middles = clamp(position - 0.5, vec3(0.0), dimensions - 1.0);
+  return min(floor(middles / brick), ceil(dimensions / brick) - 1.0);
+}
+
+// Colour, and extinction by the length that the voxels' opacity belongs to. Colours are weighted by opacity.
+vec4 opticsLinesIn(sampler3D bricks, sampler2D atlas, vec3 position, vec3 dimensions, vec3 brick)
+{
+  vec3 tile = opticsLineTile(position, dimensions, brick);
+  vec2 corner = vec2(texelFetch(bricks, ivec3(tile), 0));
+  bool isInside = all(greaterThanEqual(position, vec3(0.0))) && all(lessThanEqual(position, dimensions));
+  if (corner.x < 0.0 || !isInside)
+  {
+    return vec4(0.0);
+  }
+  vec3 inTile = clamp(position - 0.5, vec3(0.0), dimensions - 1.0) - tile * brick;
+  float slice = min(floor(inTile.z), brick.z - 1.0);
+  vec2 texel = corner + vec2(inTile) + vec2(slice * (brick.x + 1.0), 0.0) + 0.5;
+  vec2 scale = 1.0 / vec2(textureSize(atlas, 0));
+  vec4 before = texture(atlas, texel * scale);
+  vec4 behind = texture(atlas, (texel + vec2(brick.x + 1.0, 0.0)) * scale);
+  vec4 associated = mix(before, behind, inTile.z - slice);
+  return vec4(vec3(associated) / max(associated.a, 1.0e-7), OpticalDepth(min(associated.a, 1.0)));
+}
