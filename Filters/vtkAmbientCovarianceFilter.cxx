@@ -204,8 +204,8 @@ int vtkAmbientCovarianceFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  int association;
+  vtkDataArray* scalars = this->FindScalars(inputs, association);
   const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
     association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     this->InputComponent < scalars->GetNumberOfComponents();

@@ -80,6 +80,8 @@ protected:
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) override;
   bool IsOnInputGrid() const override { return false; }
 
+  double ScalarRange[2] = { 1.0, 0.0 };
+
 private:
   vtkGradientAlignedHistogram(const vtkGradientAlignedHistogram&) = delete;
   void operator=(const vtkGradientAlignedHistogram&) = delete;
@@ -87,7 +89,6 @@ private:
   bool FindRange(const volumeoptics::ImageRows& rows, volumeoptics::Batches& batches, double range[2]) const;
 
   int NumberOfBins = 256;
-  double ScalarRange[2] = { 1.0, 0.0 };
   double StepLength = 1.0;
 };
 

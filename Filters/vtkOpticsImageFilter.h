@@ -140,6 +140,12 @@ protected:
   void GetNeededExtent(const volumeoptics::ImageGrid& grid, const int output[6], int input[6]);
 
   /**
+   * The array to work on, or nullptr. An empty name, which ParaView passes where it does not know the input's
+   * arrays yet, stands for the active scalars of the points.
+   */
+  vtkDataArray* FindScalars(vtkInformationVector** inputs, int& association);
+
+  /**
    * The point array to work on; without one, nullptr and an error.
    */
   vtkDataArray* GetScalars(vtkInformationVector** inputs);
