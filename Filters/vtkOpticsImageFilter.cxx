@@ -238,10 +238,24 @@ int vtkOpticsImageFilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, int& association)
+{
+  association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  if (!scalars && name && !*name)
+  {
+    association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    scalars = vtkImageData::GetData(inputs[0])->GetPointData()->GetScalars();
+  }
+  return scalars;
+}
+
+//------------------------------------------------------------------------------
 vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  int association;
+  vtkDataArray* scalars = this->FindScalars(inputs, association);
   if (!scalars || scalars->GetNumberOfTuples() == 0)
   {
     vtkErrorMacro("The input has no scalars to work on. Give it point scalars, or name an array by "
@@ -268,8 +282,8 @@ vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 //------------------------------------------------------------------------------
 vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs)
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  int association;
+  vtkDataArray* scalars = this->FindScalars(inputs, association);
   const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
     association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     this->InputComponent < scalars->GetNumberOfComponents();

@@ -40,6 +40,11 @@
 
 vtkStandardNewMacro(vtkOpticsVolumeMapper);
 
+namespace
+{
+const double SlowestInteraction = 1.0; // frames a second, vtkSmartVolumeMapper's limit
+}
+
 class vtkOpticsVolumeMapper::Implementation
 {
 public:
@@ -361,8 +366,14 @@ void vtkOpticsVolumeMapper::Say(const std::string& message)
 bool vtkOpticsVolumeMapper::IsInteractive(vtkRenderer* renderer)
 {
   vtkRenderWindowInteractor* interactor = renderer->GetRenderWindow()->GetInteractor();
-  return interactor && interactor->GetInteractorStyle() &&
-    renderer->GetRenderWindow()->GetDesiredUpdateRate() > interactor->GetStillUpdateRate();
+  if (!interactor || !interactor->GetInteractorStyle())
+  {
+    return false;
+  }
+  // still frames of ParaView have a rate of their own, above the interactor's
+  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
+  return rate > interactor->GetStillUpdateRate() &&
+    rate >= std::min(interactor->GetDesiredUpdateRate(), SlowestInteraction);
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,8 @@
 
 #include "vtkDistributedHistogram.h"
 
+#include "ProcessRange.h"
+
 #include "vtkCommunicator.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -51,20 +53,27 @@ void AddUp(vtkMultiProcessController* controller, vtkImageData* histogram, vtkId
 int vtkDistributedHistogram::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const int processes = controller ? controller->GetNumberOfProcesses() : 1;
-  const double* range = this->GetScalarRange();
-  if (processes > 1 && !(range[0] <= range[1]))
+  if (CountProcesses() == 1)
   {
-    vtkErrorMacro("ScalarRange is not set: each process would count over the range of its own piece. Set it "
-                  "to the range of the whole data.");
-    return 0;
+    return this->Superclass::RequestData(request, inputs, outputs);
+  }
+  const double range[2] = { this->ScalarRange[0], this->ScalarRange[1] };
+  if (!(range[0] <= range[1]))
+  {
+    int association;
+    FindRangeOfProcesses(this->FindScalars(inputs, association), this->InputComponent, this->ScalarRange);
   }
   const int result = this->Superclass::RequestData(request, inputs, outputs);
-  if (processes == 1)
-  {
-    return result;
-  }
+  std::copy(range, range + 2, this->ScalarRange);
+  this->AddUpProcesses(outputs);
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void vtkDistributedHistogram::AddUpProcesses(vtkInformationVector* outputs)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const int processes = controller->GetNumberOfProcesses();
   const int rank = controller->GetLocalProcessId();
   const int candidate = FindCounts(vtkImageData::GetData(outputs, 0)) ? rank : processes;
   int owner = processes;
@@ -74,7 +83,6 @@ int vtkDistributedHistogram::RequestData(
   {
     AddUp(controller, vtkImageData::GetData(outputs, port), bins, rank == owner);
   }
-  return result;
 }
 
 //------------------------------------------------------------------------------

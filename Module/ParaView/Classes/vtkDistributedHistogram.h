@@ -5,7 +5,7 @@
  * @brief vtkGradientAlignedHistogram of an image whose pieces lie on several processes.
  *
  * The counts of all processes are added up; the first one with a piece has the result, the others have
- * nothing. ScalarRange must be set where there is more than one process.
+ * nothing. Without a ScalarRange of its own it takes the one of the whole data, on all processes.
  */
 
 #ifndef vtkDistributedHistogram_h
@@ -30,6 +30,8 @@ protected:
 private:
   vtkDistributedHistogram(const vtkDistributedHistogram&) = delete;
   void operator=(const vtkDistributedHistogram&) = delete;
+
+  void AddUpProcesses(vtkInformationVector* outputs);
 };
 
 #endif

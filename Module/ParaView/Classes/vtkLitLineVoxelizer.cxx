@@ -70,19 +70,19 @@ void vtkLitLineVoxelizer::SetColor(double red, double green, double blue)
 }
 
 //------------------------------------------------------------------------------
-void vtkLitLineVoxelizer::SelectRadiusArray(int, int, int, int, const char* name)
+void vtkLitLineVoxelizer::SelectRadiusArray(const char* name)
 {
   this->SetRadiusArray(NameOrNone(name));
 }
 
 //------------------------------------------------------------------------------
-void vtkLitLineVoxelizer::SelectLineTypeArray(int, int, int, int, const char* name)
+void vtkLitLineVoxelizer::SelectLineTypeArray(const char* name)
 {
   this->SetLineTypeArray(NameOrNone(name));
 }
 
 //------------------------------------------------------------------------------
-void vtkLitLineVoxelizer::SelectColorArray(int, int, int, int, const char* name)
+void vtkLitLineVoxelizer::SelectColorArray(const char* name)
 {
   this->SetColorArray(NameOrNone(name));
 }

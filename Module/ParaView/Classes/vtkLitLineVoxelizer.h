@@ -35,12 +35,11 @@ public:
 
   ///@{
   /**
-   * As the arguments of SetInputArrayToProcess(), of which the name alone is taken: the array is looked
-   * for among those of the points and the cells; "None" is none.
+   * As SetRadiusArray() and the others; "None" is none.
    */
-  void SelectRadiusArray(int, int, int, int, const char* name);
-  void SelectLineTypeArray(int, int, int, int, const char* name);
-  void SelectColorArray(int, int, int, int, const char* name);
+  void SelectRadiusArray(const char* name);
+  void SelectLineTypeArray(const char* name);
+  void SelectColorArray(const char* name);
   ///@}
 
 protected:
