@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeLighting::Dec, after OwnOpacity*. What of a light passes the volume and other things on its way to the
+// Place ComputeLighting::Dec, after OwnDepth. What of a light passes the volume and other things on its way to the
 // sample: what reaches the slice in front of it, and, as for Occlusion, what the ray itself has met since. A light has
 // one view of the volume or several, each with a grid in the atlas.
 
@@ -15,20 +15,15 @@ uniform mat3 in_opticsShadowToSlices;                    // a way in VTK's textu
 // A border that rounding has moved still belongs to the view.
 const float opticsViewTolerance = 1.0e-3;
 
-float g_opticsShadowDepth = 0.0;     // optical depth along the ray, fading over a slice
+OpticsOwnDepth g_opticsShadowDepth = opticsNothingMet;
 vec3 g_opticsShadowPlace = vec3(0.0); // where it was taken
-float g_opticsShadowClear = 1.0;     // transmittance of the ray up to there
 
-// After the samples in front of this one.
+// The way to the light is taken to be as long as the ray's: which it is, is known of surfaces with a normal alone.
 float opticsShadowOwn(float opacity)
 {
-  float clear = max(1.0 - g_fragColor.a, 1.0e-6);
-  float met = log(max(g_opticsShadowClear / clear, 1.0));
-  float slices = length(in_opticsShadowToSlices * (g_dataPos - g_opticsShadowPlace));
-  g_opticsShadowDepth = (g_opticsShadowDepth + met) * exp(-slices);
+  g_opticsShadowDepth = opticsMeet(g_opticsShadowDepth, length(in_opticsShadowToSlices * (g_dataPos - g_opticsShadowPlace)));
   g_opticsShadowPlace = g_dataPos;
-  g_opticsShadowClear = clear;
-  return exp(-g_opticsShadowDepth) * StretchVisibility(opticsOwnOpacity(opacity), 1.0);
+  return opticsOwnVisibility(g_opticsShadowDepth, opacity, 1.0);
 }
 
 float opticsShadow(int index, float own)
