@@ -42,17 +42,22 @@ set(filter_sources
   HarmonicBasis
   ImageGrid
   LineAccumulator
+  LineExchange
   LineInput
+  LineKernel
   LineLighting
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
+  OwnedExtent
   PrincipalCurvature
+  ProcessGroup
   RangeSearch
   SamplePattern
   ScalarSource
   SobelStencil
   SphereDirections
+  TangentTable
   VoxelEvaluation)
 set(rendering_sources
   AttenuatedStretch
@@ -81,6 +86,11 @@ set(rendering_sources
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  LineAtlas
+  LineEvaluation
+  LineTextures
+  LineVolume
+  LineVoxelTerm
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm

@@ -20,6 +20,7 @@
 #include "ColorOfSample.h"
 #include "ColorOfSegment.h"
 #include "ColorTable.h"
+#include "CylinderLighting.h"
 #include "DataSpace.h"
 #include "DataSpaceInterior.h"
 #include "DataSpaceSegment.h"
@@ -46,6 +47,16 @@
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
+#include "LineBlock.h"
+#include "LineBlockNone.h"
+#include "LineFragment.h"
+#include "LineLookup.h"
+#include "LineRay.h"
+#include "LineShadingImpl.h"
+#include "LineShadingInit.h"
+#include "LineTerminate.h"
+#include "LineVoxel.h"
+#include "LinesDec.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
 #include "MultiSampleRule.h"
@@ -97,6 +108,7 @@
 #include "SilhouetteGeometry.h"
 #include "SilhouetteOff.h"
 #include "SoftRange.h"
+#include "SphericalHarmonics.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
@@ -145,6 +157,7 @@ const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
 const Place DepthPassImpl = { "//VTK::DepthPass::Impl", true };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
+const Place AfterTerminateImpl = { "//VTK::Terminate::Impl", true };
 // Places of our own, in Lighting.glsl.
 const Place GradientPlace = { "//Optics::Gradient", false };
 const Place SurfacePlace = { "//Optics::Surface", false };
@@ -166,6 +179,7 @@ const Row Table[] = {
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
   { F::VisibilitySweep, &BaseDec, SweepDec },
+  { F::Lines, &BaseDec, LinesDec },
 
   { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
@@ -275,6 +289,14 @@ const Row Table[] = {
   { F::VisibilitySweep, &DepthPassImpl, SweepTerminate },
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
+
+  { F::Lines, &ComputeRayDirectionDec, LineLookup },
+  { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
+  { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
+  { F::Lines, &ComputeRayDirectionDec, LineRay },
+  { F::Lines, &ShadingInit, LineShadingInit },
+  { F::Lines, &ShadingImpl, LineShadingImpl },
+  { F::Lines, &AfterTerminateImpl, LineTerminate },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
@@ -370,7 +392,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 {
   bool found = InsertLighting(fragment, features);
   for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &ShadingImpl, &DepthPassImpl, &TerminateImpl })
+         &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }
@@ -382,6 +404,16 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
   const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
   return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
+}
+
+//------------------------------------------------------------------------------
+std::string LineEvaluationFragmentShader(int order, int types, bool hasProduct)
+{
+  const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
+    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n#define OPTICS_LINE_PRODUCT " +
+    (hasProduct ? "1\n" : "0\n");
+  return "//VTK::System::Dec\n//VTK::Output::Dec\n" + constants + Opacity + SphericalHarmonics +
+    CylinderLighting + LineVoxel + LineFragment;
 }
 
 //------------------------------------------------------------------------------

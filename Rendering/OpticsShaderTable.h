@@ -92,6 +92,9 @@ enum class OpticsFeature
   SweepClippingNone,
   IsosurfacesNone,
   Isosurfaces,
+  Lines, // anisotropic voxels are drawn in place of VTK's samples
+  LineBlock,
+  LineBlockNone,
   Count
 };
 
@@ -122,6 +125,11 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
  * Replaces statements of VTK's own text, after VTK has written it. Returns false as above.
  */
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
+
+/**
+ * The shader that evaluates anisotropic voxels of an order and a number of line types.
+ */
+std::string LineEvaluationFragmentShader(int order, int types, bool hasProduct);
 
 /**
  * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.

@@ -111,7 +111,7 @@ bool ReflectanceTerm::IsActive(const OpticsScene& scene)
   {
     return false;
   }
-  const std::string reason = FindUnsupported(scene);
+  const std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty() && (HasOwnModel(scene) || scene.Optics->GetLightingTransferFunction()))
   {
     SayUnsupported(scene, reason);

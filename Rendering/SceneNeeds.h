@@ -13,6 +13,13 @@
 /** What no term can draw, in words; empty where all can. */
 std::string FindUnsupported(const OpticsScene& scene);
 
+/** The same for what classifies or lights VTK's samples. */
+std::string FindUnsupportedBySamples(const OpticsScene& scene);
+
+/** Whether the volume is lines as anisotropic voxels, and what these can't be drawn with. */
+bool HasLineVoxels(const OpticsScene& scene);
+std::string FindUnsupportedByLines(const OpticsScene& scene);
+
 /** The same for the integral along the ray. */
 std::string FindUnsupportedByIntegral(const OpticsScene& scene);
 

@@ -29,8 +29,10 @@
 #define vtkOpticsVolumeMapper_h
 
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkSmartPointer.h"       // for the lines' opacity function
 #include "vtkVolumeOpticsModule.h" // for export macro
 
+#include <map>    // for the lines' scales
 #include <memory> // for the implementation
 #include <string> // for the active terms
 
@@ -38,6 +40,7 @@ class vtkAlgorithmOutput;
 class vtkAmbientCovarianceFilter;
 class vtkImageData;
 class vtkOpticsVolumeProperty;
+class vtkPiecewiseFunction;
 class vtkPrincipalCurvatureFilter;
 class vtkSobelNormalFilter;
 class vtkTextureObject;
@@ -278,6 +281,44 @@ public:
 
   ///@{
   /**
+   * Lines as anisotropic voxels: where the input is an image of vtkAnisotropicLineVoxelizer, it is drawn as
+   * lines, with any property. Factors of the radius, in [0, 1e6], and of the opacity, in [0, 1], of a line type.
+   * Default 1. Neither links nor uploads anything.
+   */
+  void SetLineRadiusScale(int type, double scale);
+  double GetLineRadiusScale(int type) const;
+  void SetLineOpacityScale(int type, double scale);
+  double GetLineOpacityScale(int type) const;
+  ///@}
+
+  ///@{
+  /**
+   * Maps the evaluated opacity of voxels of lines, in [0, 1], to the one that is drawn. Default none: as it is.
+   */
+  void SetLineOpacityFunction(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetLineOpacityFunction() const;
+  ///@}
+
+  ///@{
+  /**
+   * Voxels of other lines, or finer ones of the same, that replace those of the input in their box, which lies within
+   * that of the input. Default none. Source: [Schussman2004] fig. 7.
+   */
+  void SetLineBlockInputConnection(vtkAlgorithmOutput* output);
+  void SetLineBlockInputData(vtkImageData* voxels);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of voxels of lines on the GPU: 16 or 32 (float). Default 16. Other numbers are refused with
+   * a warning.
+   */
+  vtkGetMacro(LinePrecision, int);
+  void SetLinePrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
    * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
@@ -304,6 +345,12 @@ public:
    * VTK's sample distance. With a preset of Quality set before, it replaces the preset's own.
    */
   void SetSampleDistance(float distance) override;
+
+  /**
+   * The sweep from the eye that Occlusion is found by: for what it counts and says of the last frame. Its
+   * parameters are the mapper's and the property's.
+   */
+  vtkVisibilitySweep* GetOcclusionSweep();
 
   /** Names of the terms in the last frame, separated by commas; empty: VTK's own picture. */
   std::string GetActiveTerms();
@@ -348,6 +395,8 @@ private:
   void operator=(const vtkOpticsVolumeMapper&) = delete;
 
   void UpdateSampleDistance(vtkRenderer* renderer);
+  void RenderLines(vtkRenderer* renderer, vtkVolume* volume);
+  void GetVoxelSpacing(double spacing[3]);
   std::string FindMissing();
 
   double FrameResolutionFactor = 1.0;
@@ -358,7 +407,6 @@ private:
   int LightingTableSize = 256;
   int LightingSamples = Fetched;
   int PreIntegrationTableSize = 256;
-  int TablePrecision = 32;
   int VisibilityGridSize = 128;
   double VisibilitySliceDistance = 1.0;
   int VisibilitySamples = 8;
@@ -366,6 +414,10 @@ private:
   int VisibilityDiskSize = 5;
   bool VisibilityTrueDistances = true;
   int VisibilityPrecision = 16;
+  int TablePrecision = 32;
+  int LinePrecision = 16;
+  std::map<int, double> LineRadiusScales, LineOpacityScales;
+  vtkSmartPointer<vtkPiecewiseFunction> LineOpacityFunction;
   int Quality = Custom;
 
   class Implementation;

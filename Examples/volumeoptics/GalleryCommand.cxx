@@ -69,6 +69,10 @@ PictureResult ResultOf(const GalleryPicture& picture, bool hasScore, GalleryStud
   {
     return studio.Keep(picture.Name);
   }
+  if (!picture.Lines.Source.empty())
+  {
+    return studio.DrawLines(picture.Name, picture.Lines, picture.Settings);
+  }
   return hasScore ? studio.Draw(picture.Name, picture.Field, picture.Settings)
                   : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
 }
