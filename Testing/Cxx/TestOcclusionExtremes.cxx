@@ -188,7 +188,8 @@ void CheckWindows(Check& check)
   OcclusionScene scene(RoofAndFloor);
   scene.Property->OcclusionOn();
   const double seen = scene.Red(0);
-  for (const auto& size : { std::pair<int, int>(1, 1), std::pair<int, int>(1, 37), std::pair<int, int>(31, 33) })
+  for (const auto& size :
+    { std::pair<int, int>(1, 1), std::pair<int, int>(1, 37), std::pair<int, int>(31, 33) })
   {
     scene.Window->SetSize(size.first, size.second);
     CheckPixels(check, "a window of another size", scene);

@@ -88,35 +88,38 @@ void CheckClassifications(Check& check)
   };
   const double plain = share([](OcclusionScene&) {});
   check.Near("the pane lets a part of the light through", plain, 0.2, 0.12);
-  check.Near("pre-integrated", share([](OcclusionScene& scene) {
-    scene.Property->SetClassificationToPreIntegrated();
-  }), plain, 0.05);
+  check.Near("pre-integrated",
+    share([](OcclusionScene& scene) { scene.Property->SetClassificationToPreIntegrated(); }), plain, 0.05);
   check.Near("gradient opacity of 1", share([](OcclusionScene& scene) {
     vtkNew<vtkPiecewiseFunction> one;
     one->AddPoint(0.0, 1.0);
     one->AddPoint(1.0, 1.0);
     scene.Property->SetGradientOpacity(one);
-  }), plain, 0.01);
+  }),
+    plain, 0.01);
   check.Near("a gradient opacity of the floor alone", share([](OcclusionScene& scene) {
     vtkNew<vtkPiecewiseFunction> steep;
     steep->AddPoint(0.0, 0.0);
     steep->AddPoint(0.14, 0.0); // of glass: an eighth of the range
     steep->AddPoint(0.2, 1.0);
     scene.Property->SetGradientOpacity(steep);
-  }), 1.0, 0.05);
+  }),
+    1.0, 0.05);
   check.Near("lit, by the ambient part", share([](OcclusionScene& scene) {
     scene.Property->ShadeOn();
     scene.Property->SetAmbient(1.0);
     scene.Property->SetDiffuse(0.0);
     scene.Property->SetSpecular(0.0);
-  }), plain, 0.02);
+  }),
+    plain, 0.02);
   check.Near("lit by a model", share([](OcclusionScene& scene) {
     scene.Property->ShadeOn();
     scene.Property->SetReflectanceModelToBlinnPhong();
     scene.Property->SetAmbient(1.0);
     scene.Property->SetDiffuse(0.0);
     scene.Property->SetSpecular(0.0);
-  }), plain, 0.02);
+  }),
+    plain, 0.02);
 }
 
 // A black isosurface of opacity one half, over a white one that is opaque: no direction crosses it twice.
@@ -172,6 +175,52 @@ void CheckKinds(Check& check)
     check.That(AreFinite(scene.RenderFloat()), name + ": a pixel is not finite");
   }
 }
+
+// What was swept is not swept again while nothing that is seen changes; the program is linked once.
+void CheckRepeats(Check& check)
+{
+  TestScene scene;
+  scene.Window->SetSize(40, 40);
+  scene.Property->OcclusionOn();
+  vtkVisibilitySweep* sweep = scene.Optics->GetOcclusionSweep();
+  const std::vector<unsigned char> first = scene.Render();
+  check.Near("sweeps of the first frame", sweep->GetSweepCount(), 1, 0);
+  check.Near("another frame", LargestDifference(scene.Render(), first), 0, 0);
+  check.Near("sweeps of another frame", sweep->GetSweepCount(), 1, 0);
+  const std::pair<const char*, std::function<void()>> changes[] = {
+    { "the camera", [&]() { scene.Renderer->GetActiveCamera()->Azimuth(5.0); } },
+    { "the opacity", [&]() { scene.Opacity->AddPoint(0.6, 0.5); } },
+    { "the angle", [&]() { scene.Property->SetOcclusionAngle(40.0); } },
+    { "the data", [&]() { scene.Source->SetDimensions(30, 30, 30); } },
+    { "the grid", [&]() { scene.Optics->SetVisibilityGridSize(50); } },
+    { "the volume's place", [&]() { scene.Volume->AddPosition(0.1, 0.0, 0.0); } },
+  };
+  int sweeps = 1;
+  for (const auto& change : changes)
+  {
+    change.second();
+    scene.Render();
+    check.Near(std::string("sweeps after a change of ") + change.first, sweep->GetSweepCount(), ++sweeps, 0);
+  }
+  check.Near("links", sweep->GetProgramLinkCount(), 1, 0);
+}
+
+// Switched off it leaves nothing behind.
+void CheckOff(Check& check)
+{
+  TestScene scene;
+  scene.Window->SetSize(40, 40);
+  const std::vector<unsigned char> stock = scene.Render();
+  scene.Property->OcclusionOn();
+  scene.Render();
+  check.That(
+    scene.Optics->GetActiveTerms() == "Reflectance,Occlusion", "terms: " + scene.Optics->GetActiveTerms());
+  check.AtLeast("memory", scene.Optics->GetTermMemorySize(), 1);
+  scene.Property->OcclusionOff();
+  check.Near("off again", LargestDifference(scene.Render(), stock), 0, 0);
+  check.That(scene.Optics->GetActiveTerms().empty(), "terms: " + scene.Optics->GetActiveTerms());
+  check.Near("memory without", scene.Optics->GetTermMemorySize(), 0, 0);
+}
 }
 
 int TestOcclusionSettings(int, char*[])
@@ -181,5 +230,7 @@ int TestOcclusionSettings(int, char*[])
   CheckClassifications(check);
   CheckIsosurfaces(check);
   CheckKinds(check);
+  CheckRepeats(check);
+  CheckOff(check);
   return check.ExitCode();
 }
