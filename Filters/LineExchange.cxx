@@ -119,7 +119,8 @@ std::vector<LineAccumulator::SharedBrick> LineAccumulator::Collect(
   std::vector<SharedBrick> own;
   for (int owner = 0; owner < processes.GetSize(); ++owner)
   {
-    const std::vector<char> all = processes.GatherAt(owner, this->BytesFor(owner, processes, occupied, range));
+    const std::vector<char> all =
+      processes.GatherAt(owner, this->BytesFor(owner, processes, occupied, range));
     std::map<std::pair<long long, int>, LineSums> sums;
     for (BytesReader reader(all); !reader.IsAtEnd();)
     {
@@ -138,8 +139,8 @@ std::vector<LineAccumulator::SharedBrick> LineAccumulator::Collect(
 }
 
 // What this process has of an owner's bricks; it has it no longer.
-std::vector<char> LineAccumulator::BytesFor(int owner, const ProcessGroup& processes,
-  const std::vector<long long>& occupied, const BrickRange& range)
+std::vector<char> LineAccumulator::BytesFor(
+  int owner, const ProcessGroup& processes, const std::vector<long long>& occupied, const BrickRange& range)
 {
   BytesWriter writer;
   for (std::size_t i = range.First; i < range.Last; ++i)

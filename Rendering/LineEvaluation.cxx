@@ -18,8 +18,8 @@ using volumeoptics::LineScale;
 
 namespace
 {
-std::vector<double> KeyOf(const LineView& view, const std::vector<LineScale>& scales,
-  vtkPiecewiseFunction* function, int bits)
+std::vector<double> KeyOf(
+  const LineView& view, const std::vector<LineScale>& scales, vtkPiecewiseFunction* function, int bits)
 {
   std::vector<double> key = { view.Position.x, view.Position.y, view.Position.z, view.ToEye.x, view.ToEye.y,
     view.ToEye.z, view.IsParallel ? 1.0 : 0.0, static_cast<double>(bits),
@@ -138,8 +138,8 @@ void LineEvaluation::Draw(
 //------------------------------------------------------------------------------
 void LineEvaluation::MakeProgramReady(const LineTextures& lines)
 {
-  const std::string fragment = LineEvaluationFragmentShader(
-    lines.MaximumOrder, static_cast<int>(lines.Types.size()), lines.HasProduct);
+  const std::string fragment =
+    LineEvaluationFragmentShader(lines.MaximumOrder, static_cast<int>(lines.Types.size()), lines.HasProduct);
   if (this->Quad && fragment == this->FragmentShader)
   {
     this->Window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);

@@ -54,8 +54,7 @@ std::string LineTextures::Upload(vtkImageData* image, int bits, vtkOpenGLRenderW
   }
   this->Grid = voxels.Grid;
   this->MaximumOrder = voxels.MaximumOrder;
-  const int* last =
-    std::max_element(voxels.BrickIndices, voxels.BrickIndices + voxels.Grid.NumberOfBricks());
+  const int* last = std::max_element(voxels.BrickIndices, voxels.BrickIndices + voxels.Grid.NumberOfBricks());
   this->NumberOfOccupiedBricks = *last + 1;
   this->Atlas = LineAtlas(voxels);
   error = this->CheckSizes(voxels, window);
@@ -86,8 +85,9 @@ std::string LineTextures::CheckSizes(const LineVoxels& voxels, vtkOpenGLRenderWi
   {
     coefficients += CountOf(set, this->NumberOfOccupiedBricks);
   }
-  const long long starts = static_cast<long long>(voxels.Types.size()) * this->NumberOfOccupiedBricks *
-      this->Grid.VoxelsOfBrick() + 1;
+  const long long starts =
+    static_cast<long long>(voxels.Types.size()) * this->NumberOfOccupiedBricks * this->Grid.VoxelsOfBrick() +
+    1;
   const long long most = std::min(largest * largest, static_cast<long long>(VTK_INT_MAX));
   if (std::max(atlas.x, atlas.y) > largest || coefficients > most || starts > most)
   {
@@ -212,14 +212,17 @@ void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpe
     }
   }
   const bool isHalf = bits == 16;
-  this->UploadList(
-    this->Harmonics, harmonics, { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
+  this->UploadList(this->Harmonics, harmonics,
+    { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
   this->UploadList(this->Coefficients, texels,
-    { static_cast<unsigned int>(isHalf ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, bits / 2 }, window);
+    { static_cast<unsigned int>(isHalf ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT, 4, VTK_FLOAT,
+      bits / 2 },
+    window);
   if (this->HasProduct)
   {
     this->UploadList(this->Products, products,
-      { static_cast<unsigned int>(isHalf ? GL_R16F : GL_R32F), GL_RED, GL_FLOAT, 1, VTK_FLOAT, bits / 8 }, window);
+      { static_cast<unsigned int>(isHalf ? GL_R16F : GL_R32F), GL_RED, GL_FLOAT, 1, VTK_FLOAT, bits / 8 },
+      window);
   }
 }
 

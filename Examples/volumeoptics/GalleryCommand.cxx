@@ -68,9 +68,8 @@ void DrawSections(GalleryContents& contents, GalleryStudio& studio)
       drawing.Update(contents.Results.size() / count, section.Title + ": " + picture.Title);
       contents.Results[picture.Name] = !picture.Lines.Source.empty()
         ? studio.DrawLines(picture.Name, picture.Lines, picture.Settings)
-        : section.HasScores
-        ? studio.Draw(picture.Name, picture.Field, picture.Settings)
-        : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
+        : section.HasScores ? studio.Draw(picture.Name, picture.Field, picture.Settings)
+                            : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
     }
     drawing.Line(section.Title);
   }

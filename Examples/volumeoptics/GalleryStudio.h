@@ -46,8 +46,7 @@ public:
   PictureResult DrawUnscored(
     const std::string& name, const std::string& field, const PictureSettings& picture);
   // Lines, for which PreparationSeconds is the time to make their voxels.
-  PictureResult DrawLines(
-    const std::string& name, const LinePicture& lines, const PictureSettings& picture);
+  PictureResult DrawLines(const std::string& name, const LinePicture& lines, const PictureSettings& picture);
   // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
   std::string GetRendererName() const;
   int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }

@@ -46,7 +46,8 @@ void CheckBlock(Check& check)
   sun.toLight = glm::normalize(Vector(1.0, 0.0, 1.0));
   check.Near("sun", shadow(sun, point), std::exp(-1.5 * 0.75 * std::sqrt(2.0)), 1.0e-4);
   const Vector inside(0.5, 0.25, -0.125);
-  check.Near("lamp inside", shadow(LightAt(inside), point), std::exp(-1.5 * glm::length(inside - point)), 1.0e-4);
+  check.Near(
+    "lamp inside", shadow(LightAt(inside), point), std::exp(-1.5 * glm::length(inside - point)), 1.0e-4);
   check.Near("lamp outside", shadow(LightAt({ 0.25, -0.5, 9.0 }), point), std::exp(-1.5 * 0.875), 1.0e-4);
   check.Near("lamp at the point", shadow(LightAt(point), point), 1.0, 0.0);
   sun.shadowAttenuation = 0.25;
@@ -88,7 +89,8 @@ void CheckSoft(Check& check)
     const double expected = std::max(1.0 - covered / (1.0 - std::cos(glm::radians(angle))), 0.0);
     // rays in shares: see TestConeIntegral
     check.Near("soft sun, " + std::to_string(angle), shadow(sun, middle), expected, 5.0e-3);
-    check.Near("soft lamp, " + std::to_string(angle), shadow(LightAt({ 0.0, 0.0, 5.0 }), middle), expected, 5.0e-3);
+    check.Near(
+      "soft lamp, " + std::to_string(angle), shadow(LightAt({ 0.0, 0.0, 5.0 }), middle), expected, 5.0e-3);
   }
   // a lamp in the middle of the volume is a point
   const LightShadow wide(scene, 80.0, Step);

@@ -115,7 +115,8 @@ double Checksum(vtkImageData* voxels)
 void CompareArrays(vtkImageData* whole, vtkImageData* shared, const std::string& name, Check& check)
 {
   vtkFieldData* wanted = whole->GetFieldData();
-  check.Near(name + ": arrays", shared->GetFieldData()->GetNumberOfArrays(), wanted->GetNumberOfArrays(), 0.0);
+  check.Near(
+    name + ": arrays", shared->GetFieldData()->GetNumberOfArrays(), wanted->GetNumberOfArrays(), 0.0);
   for (int i = 0; i < wanted->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* expected = wanted->GetArray(i);
