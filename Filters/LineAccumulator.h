@@ -41,6 +41,7 @@ struct LineAccumulatorSettings
   const HarmonicBasis* Basis = nullptr;
   double CoefficientTolerance = 0.0;
   bool ExactProduct = true;
+  bool OnAllProcesses = true; // or on the first one
 };
 
 class LineAccumulator

@@ -74,8 +74,8 @@ void BytesReader::Read(LineBrick& brick)
 }
 
 // Processes take turns as the owners of bricks: number i belongs to i modulo their number. An owner adds up what
-// all have of a brick, in the order of the processes, compresses it, and gives it to all. Portions
-// of bricks bound what is under way at a time.
+// all have of a brick, in the order of the processes, compresses it, and gives it to those who want it.
+// Portions of bricks bound what is under way at a time.
 bool LineAccumulator::FinishTogether(Batches& batches, double progressAtEnd, const ProcessGroup& processes,
   const std::vector<long long>& occupied, std::vector<LineTypeBricks>& bricks)
 {
@@ -101,7 +101,8 @@ bool LineAccumulator::FinishTogether(Batches& batches, double progressAtEnd, con
       writer.Write(own[i].Label);
       writer.Write(compressed[i]);
     }
-    const std::vector<char> all = processes.GatherEverywhere(writer.Bytes);
+    const std::vector<char> all = this->Settings.OnAllProcesses ? processes.GatherEverywhere(writer.Bytes)
+                                                                : processes.GatherAt(0, writer.Bytes);
     for (BytesReader reader(all); !reader.IsAtEnd();)
     {
       BrickLabel label;

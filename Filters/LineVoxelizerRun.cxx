@@ -102,6 +102,7 @@ void vtkAnisotropicLineVoxelizer::StartSums()
   volumeoptics::LineAccumulatorSettings settings;
   settings.Grid = run.Grid;
   settings.Basis = run.Basis.get();
+  settings.OnAllProcesses = this->ResultOnAllProcesses;
   settings.ExactProduct = this->ExactProduct;
   settings.CoefficientTolerance = this->CoefficientTolerance;
   run.Sums = std::make_unique<volumeoptics::LineAccumulator>(settings);
@@ -241,9 +242,13 @@ bool vtkAnisotropicLineVoxelizer::Write(bool isRight, vtkImageData* output)
   {
     return false;
   }
-  if (run.Sums->Finish(run.Batches, 1.0, run.Processes, indices, bricks))
+  const bool isDone = run.Sums->Finish(run.Batches, 1.0, run.Processes, indices, bricks);
+  if (isDone && (this->ResultOnAllProcesses || run.Processes.GetRank() == 0))
   {
     volumeoptics::WriteLineVoxels(run.Grid, this->MaximumOrder, indices, bricks, run.Lights, output);
+  }
+  if (isDone)
+  {
     this->Warn();
   }
   return true;

@@ -302,6 +302,7 @@ void vtkAnisotropicLineVoxelizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExactProduct: " << this->ExactProduct << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "ResultOnAllProcesses: " << this->ResultOnAllProcesses << "\n";
   for (const auto& material : this->Materials)
   {
     os << indent << "Material of type " << material.first << ": " << material.second.Get() << "\n";

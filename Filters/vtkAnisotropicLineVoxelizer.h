@@ -245,6 +245,16 @@ public:
   vtkMultiProcessController* GetController() const;
   ///@}
 
+  ///@{
+  /**
+   * Whether every process that shares the lines has the result, or the first one alone, the others an empty
+   * output: for programs that put together what all processes have, such as ParaView. Default on.
+   */
+  vtkSetMacro(ResultOnAllProcesses, bool);
+  vtkGetMacro(ResultOnAllProcesses, bool);
+  vtkBooleanMacro(ResultOnAllProcesses, bool);
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -291,6 +301,7 @@ private:
   bool ExactProduct = true;
   int NumberOfPieces = 1;
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool ResultOnAllProcesses = true;
   std::unique_ptr<Run> Current; // between the pieces
 };
 

@@ -241,7 +241,8 @@ int vtkGradientAlignedHistogram::RequestData(
     processes.Gather(input && processes.IsShared() ? volumeoptics::OwnedExtent(input) : nothing);
   const bool hasRange = this->FindRange(processes, inputs, *this->Current);
   const bool isRight = hasRange && this->Superclass::RequestData(request, inputs, outputs) != 0;
-  if (this->Join(processes, isRight && !this->AbortExecute))
+  const bool isJoined = this->Join(processes, isRight && !this->AbortExecute);
+  if (isJoined && (this->ResultOnAllProcesses || processes.GetRank() == 0))
   {
     this->Store(outputs);
   }
@@ -366,4 +367,5 @@ void vtkGradientAlignedHistogram::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
   os << indent << "ScalarRange: " << this->ScalarRange[0] << ", " << this->ScalarRange[1] << "\n";
   os << indent << "StepLength: " << this->StepLength << "\n";
+  os << indent << "ResultOnAllProcesses: " << this->ResultOnAllProcesses << "\n";
 }

@@ -45,6 +45,8 @@ public:
   // Without the reference, for pictures that the score says nothing about.
   PictureResult DrawUnscored(
     const std::string& name, const std::string& field, const PictureSettings& picture);
+  // A picture that was traced by rays and is kept with the program.
+  PictureResult Keep(const std::string& name);
   // Lines, for which PreparationSeconds is the time to make their voxels.
   PictureResult DrawLines(const std::string& name, const LinePicture& lines, const PictureSettings& picture);
   // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.

@@ -124,6 +124,10 @@ public:
                                  glm::dvec3(wholes[port]->GetOrigin()[0], wholes[port]->GetOrigin()[1], 0.0)),
         0.0, what + ": origins apart");
     }
+    histogram->ResultOnAllProcessesOff();
+    histogram->UpdatePiece(this->All.Rank(), this->All.Size(), 1);
+    this->Result.Check((histogram->GetOutput()->GetNumberOfPoints() > 0) == (this->All.Rank() == 0),
+      scene.Name + ": the first process alone has the histogram");
     if (this->All.Size() > 1)
     {
       long long largest = 0;

@@ -210,6 +210,14 @@ void CheckPieces(LinesTest& test)
     test.Voxelizer->SetNumberOfPieces(pieces);
     test.Compare(whole, test.Shared(source), "lines in " + std::to_string(pieces) + " pieces a process");
   }
+  test.Voxelizer->ResultOnAllProcessesOff();
+  vtkImageData* first = test.Shared(source);
+  if (test.All.Rank() == 0)
+  {
+    CompareArrays(whole, first, "the first process", test.Result);
+  }
+  test.Result.That((first->GetNumberOfPoints() > 0) == (test.All.Rank() == 0), "the first process alone");
+  test.Voxelizer->ResultOnAllProcessesOn();
   test.Voxelizer->SetModelBounds(0.1, 0.9, 0.1, 0.9, 0.1, 0.9);
   const Voxels inBox = test.Whole(all);
   test.Compare(inBox, test.Shared(source), "lines in a box that is set");
