@@ -13,7 +13,7 @@ namespace
 // The part of degree 0 comes first: it is never dropped.
 struct Sums
 {
-  double Channels[5] = {};
+  double Channels[LineChannels] = {};
   glm::dvec4 Degree0 = glm::dvec4(0.0);
   double Degree2 = 0.0; // of the depth
 };
@@ -25,7 +25,7 @@ Sums SumVoxel(const LineCoefficients& set, vtkTypeInt64 voxel, const double* bas
   {
     const int harmonic = set.Harmonics[i];
     const float* values = set.Values + i * set.Channels;
-    for (int c = 0; c < set.Channels; ++c)
+    for (int c = 0; c < LineChannels; ++c)
     {
       sums.Channels[c] += values[c] * basis[harmonic];
     }
@@ -49,9 +49,7 @@ EvaluatedVoxel EvaluateVoxel(
     return result;
   }
   const double depth = sums.Channels[AreaChannel];
-  const double beyond = set.Channels > ProductChannel ? sums.Channels[ProductChannel] - depth : 0.0;
-  result.Depth =
-    optics::DepthOfLines(depth, beyond, sums.Degree0.w, sums.Degree2, scale.Radius, scale.Opacity);
+  result.Depth = optics::DepthOfLines(depth, 0.0, sums.Degree0.w, sums.Degree2, scale.Radius, scale.Opacity);
   const glm::dvec3 light(sums.Channels[0], sums.Channels[1], sums.Channels[2]);
   result.Color = optics::ColorOfLines(
     light, depth, glm::dvec3(sums.Degree0), sums.Degree0.w, set.LeastColor, set.LargestColor);

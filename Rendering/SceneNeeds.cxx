@@ -124,7 +124,7 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene));
+      TransmitsLight(scene) || WantsAmbientLight(scene));
 }
 
 //------------------------------------------------------------------------------
@@ -201,6 +201,25 @@ bool TransmitsLight(const OpticsScene& scene)
 {
   return scene.Optics->GetTransmittedLight() != Property::TransmittedLightOff &&
     scene.Volume->GetProperty()->GetShade() && IntegratesInData(scene);
+}
+
+//------------------------------------------------------------------------------
+bool WantsAmbientLight(const OpticsScene& scene)
+{
+  const double* color = scene.Optics->GetAmbientColor();
+  return scene.Optics->GetOcclusion() || color[0] != 1.0 || color[1] != 1.0 || color[2] != 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool HasAmbientLight(const OpticsScene& scene)
+{
+  return WantsAmbientLight(scene) && FindUnsupported(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool HasOcclusion(const OpticsScene& scene)
+{
+  return scene.Optics->GetOcclusion() && HasAmbientLight(scene);
 }
 
 //------------------------------------------------------------------------------

@@ -50,6 +50,13 @@ bool HasSilhouettes(const OpticsScene& scene);
 /** Whether light shines through from behind. */
 bool TransmitsLight(const OpticsScene& scene);
 
+/** Whether the scene asks for ambient light other than white and everywhere the same, and whether it gets it. */
+bool WantsAmbientLight(const OpticsScene& scene);
+bool HasAmbientLight(const OpticsScene& scene);
+
+/** Whether it is darkened by what is in front. */
+bool HasOcclusion(const OpticsScene& scene);
+
 bool HasGradientOpacity(const OpticsScene& scene);
 bool Is2D(const OpticsScene& scene);
 bool HasLabels(const OpticsScene& scene);

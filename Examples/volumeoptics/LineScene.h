@@ -26,7 +26,7 @@ struct LineSettings
   double Radius = -1.0; // below 0: a tenth of a voxel
   double RadiusScale = 1.0;
   double Tolerance = 1.0e-5;
-  bool ExactProduct = false;
+  bool ExactProduct = true;
   std::string ColorArray, RadiusArray;
   double Ambient = 0.15, Diffuse = 0.85, Specular = 0.3, SpecularPower = 32.0;
   double Color[3] = { 1.0, 1.0, 1.0 };

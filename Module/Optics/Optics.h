@@ -35,6 +35,7 @@ using namespace glm;
 #include "HybridNormal.glsl"
 #include "SphericalHarmonics.glsl"
 #include "CylinderLighting.glsl"
+#include "Visibility.glsl"
 #include "LineVoxel.glsl"
 #undef float
 }
