@@ -21,7 +21,7 @@
  * count their own piece, and all have the histogram of the whole. Histograms are sums: those of pieces with at least
  * StepLength + 1 ghost voxels, with the same ScalarRange set, add up to the whole's.
  *
- * Of the superclass's parameters OutputPrecision does not matter.
+ * Of the superclass's parameters OutputPrecision and PassInputArrays do not matter.
  *
  * @sa vtkLightingTransferFunction vtkLightingTransferFunctionItem
  */
@@ -93,6 +93,9 @@ protected:
     const volumeoptics::ImageGrid& grid, vtkInformation* output, int extent[6]) override;
   bool ComputeArrays(const volumeoptics::ImageGrid& grid, const volumeoptics::ImageRows& rows,
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) override;
+  bool IsOnInputGrid() const override { return false; }
+
+  double ScalarRange[2] = { 1.0, 0.0 };
 
 private:
   vtkGradientAlignedHistogram(const vtkGradientAlignedHistogram&) = delete;
@@ -104,7 +107,6 @@ private:
   void Store(vtkInformationVector* outputs);
 
   int NumberOfBins = 256;
-  double ScalarRange[2] = { 1.0, 0.0 };
   double StepLength = 1.0;
   bool ResultOnAllProcesses = true;
   std::unique_ptr<Run> Current; // in an update

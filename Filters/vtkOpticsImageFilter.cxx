@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 using volumeoptics::Extent;
 using volumeoptics::ImageGrid;
@@ -51,6 +52,28 @@ void SetGeometry(const ImageGrid& grid, vtkInformation* input, vtkInformation* o
   if (input->Has(vtkDataObject::DIRECTION()))
   {
     output->CopyEntry(input, vtkDataObject::DIRECTION());
+  }
+}
+
+// Those of the same grid, cut out of what the filter needed around them.
+void PassArrays(vtkImageData* input, vtkImageData* output)
+{
+  vtkNew<vtkImageData> part;
+  part->ShallowCopy(input);
+  part->Crop(output->GetExtent());
+  vtkPointData* arrays = part->GetPointData();
+  for (int array = 0; array < arrays->GetNumberOfArrays(); ++array)
+  {
+    const std::string name = arrays->GetArrayName(array) ? arrays->GetArrayName(array) : "";
+    const bool isNew = !name.empty() && !output->GetPointData()->HasArray(name.c_str());
+    if (isNew && name != vtkDataSetAttributes::GhostArrayName())
+    {
+      output->GetPointData()->AddArray(arrays->GetAbstractArray(array));
+    }
+  }
+  if (arrays->GetScalars() && arrays->GetScalars()->GetName())
+  {
+    output->GetPointData()->SetActiveScalars(arrays->GetScalars()->GetName());
   }
 }
 }
@@ -215,10 +238,24 @@ int vtkOpticsImageFilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, int& association)
+{
+  association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  if (!scalars && name && !*name)
+  {
+    association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    scalars = vtkImageData::GetData(inputs[0])->GetPointData()->GetScalars();
+  }
+  return scalars;
+}
+
+//------------------------------------------------------------------------------
 vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  int association;
+  vtkDataArray* scalars = this->FindScalars(inputs, association);
   if (!scalars || scalars->GetNumberOfTuples() == 0)
   {
     vtkErrorMacro("The input has no scalars to work on. Give it point scalars, or name an array by "
@@ -245,8 +282,8 @@ vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 //------------------------------------------------------------------------------
 vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs)
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  int association;
+  vtkDataArray* scalars = this->FindScalars(inputs, association);
   const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
     association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     this->InputComponent < scalars->GetNumberOfComponents();
@@ -365,6 +402,10 @@ int vtkOpticsImageFilter::RequestData(
   {
     output->GenerateGhostArray(part.Owned.data());
   }
+  if (this->PassInputArrays && this->IsOnInputGrid())
+  {
+    PassArrays(input, output);
+  }
   return 1;
 }
 
@@ -377,4 +418,5 @@ void vtkOpticsImageFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "InputComponent: " << this->InputComponent << "\n";
   os << indent << "OutputPrecision: " << this->OutputPrecision << "\n";
+  os << indent << "PassInputArrays: " << (this->PassInputArrays ? "on" : "off") << "\n";
 }

@@ -9,7 +9,7 @@
  * default the active scalars). Blanked points (vtkGhostType HIDDENPOINT), NaN and infinities have no
  * value and are left out; DUPLICATEPOINT marks valid values of a neighbouring piece, which are used.
  * Spacing and direction matrix are honoured: vectors are in world axes, lengths round in world space.
- * The output has the new arrays alone, not the input's.
+ * The output has the new arrays, and the input's only with PassInputArrays.
  *
  * Filters stream: a piece requests its extent and the neighbourhood that it needs, and pieces are
  * bit for bit parts of the whole. They run on all threads (vtkSMPTools), report progress from the
@@ -102,6 +102,16 @@ public:
   vtkMultiProcessController* GetController() const;
   ///@}
 
+  ///@{
+  /**
+   * Whether the output also has the input's point arrays, so that it can be drawn; with a ResolutionFactor
+   * of 1 alone. Default off.
+   */
+  vtkSetMacro(PassInputArrays, bool);
+  vtkGetMacro(PassInputArrays, bool);
+  vtkBooleanMacro(PassInputArrays, bool);
+  ///@}
+
 protected:
   vtkOpticsImageFilter();
   ~vtkOpticsImageFilter() override;
@@ -160,6 +170,11 @@ protected:
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) = 0;
 
   /**
+   * Whether the output has voxels of the input, so that the input's arrays may be passed.
+   */
+  virtual bool IsOnInputGrid() const { return this->ResolutionFactor == 1.0; }
+
+  /**
    * The grid of the output, from the information of input port 0.
    */
   volumeoptics::ImageGrid GetGrid(vtkInformationVector** inputs);
@@ -184,10 +199,14 @@ protected:
   double Smoothing = 0.0;
   int InputComponent = 0;
   int OutputPrecision = 32;
+  bool PassInputArrays = false;
 
 private:
   struct Part;
   Part GetPart(const volumeoptics::ImageGrid& whole, vtkInformation* output, vtkImageData* input);
+  // As named, or nullptr. An empty name, which ParaView passes where it does not know the input's arrays yet,
+  // stands for the active scalars of the points.
+  vtkDataArray* FindScalars(vtkInformationVector** inputs, int& association);
   vtkOpticsImageFilter(const vtkOpticsImageFilter&) = delete;
   void operator=(const vtkOpticsImageFilter&) = delete;
 };

@@ -26,7 +26,8 @@ set(rendering_classes
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty
-  vtkPreIntegratedTable)
+  vtkPreIntegratedTable
+  vtkVisibilitySweep)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -88,10 +89,12 @@ set(rendering_sources
   LineAtlas
   LineEvaluation
   LineTextures
+  LineVolume
   LineVoxelTerm
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
+  OcclusionTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsMapperKnobs
@@ -107,6 +110,10 @@ set(rendering_sources
   ReflectanceTerm
   ScalarPair
   SceneNeeds
+  SweepGrid
+  SweepProgram
+  SweepTarget
+  SweepViews
   TermTexture
   TetrahedraVertices
   TetrahedralGrid

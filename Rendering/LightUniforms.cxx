@@ -3,6 +3,8 @@
 
 #include "LightUniforms.h"
 
+#include "VTKVersion.h"
+
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -10,7 +12,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTransform.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +79,7 @@ LightLimit::LightLimit(vtkRenderer* renderer)
   int count = 0;
   for (vtkLight* light : LightsThatAreOn(renderer))
   {
-    if (++count > Largest && vtkVersion::GetVTKMajorVersion() == 9 && vtkVersion::GetVTKMinorVersion() < 2)
+    if (++count > Largest && VTKLimitsLights)
     {
       light->SwitchOff();
       this->LeftOut.push_back(light);

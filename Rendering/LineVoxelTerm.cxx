@@ -6,60 +6,42 @@
 #include "SceneNeeds.h"
 #include "vtkOpticsVolumeMapper.h"
 
-#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkVolume.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
-using volumeoptics::LineGrid;
-
 namespace
 {
-using Matrix = glm::dmat4;
-
-// VTK's matrices are rows.
-Matrix FromVTK(vtkMatrix4x4* matrix)
+void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)
 {
-  return glm::transpose(glm::make_mat4(matrix->GetData()));
+  vtkNew<vtkMatrix4x4> columns; // as OpenGL reads them
+  columns->DeepCopy(glm::value_ptr(matrix));
+  program->SetUniformMatrix(name, columns);
 }
 
-// Data space to voxels, from the corner of the first one.
-Matrix DataToVoxels(vtkImageData* image, const LineGrid& grid)
+void CheckLights(const OpticsScene& scene, vtkImageData* image)
 {
-  Matrix toVoxels(1.0);
-  for (int axis = 0; axis < 3; ++axis)
+  if (!volumeoptics::HasLights(image, volumeoptics::ReadLights(scene.Renderer->GetLights())))
   {
-    toVoxels[axis][axis] = grid.Brick[axis];
-    toVoxels[3][axis] = -static_cast<double>(image->GetExtent()[2 * axis]) * grid.Brick[axis];
+    scene.Mapper->Say("The renderer's lights are not those that the lines' voxels were made with, which are "
+                      "drawn. Give these lights to vtkAnisotropicLineVoxelizer by SetLights().");
   }
-  return toVoxels * FromVTK(image->GetPhysicalToIndexMatrix());
+}
 }
 
-LineView ViewOf(const OpticsScene& scene, vtkImageData* image, const LineGrid& grid)
+//------------------------------------------------------------------------------
+vtkImageData* LineVoxelTerm::GetBlock() const
 {
-  Matrix toLengths(1.0);
-  for (int axis = 0; axis < 3; ++axis)
+  if (!this->BlockInput.Producer)
   {
-    toLengths[axis][axis] = grid.Voxel[axis];
+    return nullptr;
   }
-  const Matrix worldToVoxels =
-    toLengths * DataToVoxels(image, grid) * glm::inverse(FromVTK(scene.Volume->GetMatrix()));
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  glm::dvec4 position(0.0, 0.0, 0.0, 1.0), direction(0.0);
-  camera->GetPosition(&position.x);
-  camera->GetDirectionOfProjection(&direction.x);
-  LineView view;
-  view.Position = glm::dvec3(worldToVoxels * position);
-  view.ToEye = -glm::normalize(glm::dvec3(worldToVoxels * direction));
-  view.IsParallel = camera->GetParallelProjection() != 0;
-  return view;
-}
+  this->BlockInput.Producer->Update(this->BlockInput.Port);
+  return vtkImageData::SafeDownCast(this->BlockInput.Producer->GetOutputDataObject(this->BlockInput.Port));
 }
 
 //------------------------------------------------------------------------------
@@ -81,53 +63,37 @@ bool LineVoxelTerm::IsActive(const OpticsScene& scene)
 bool LineVoxelTerm::Prepare(const OpticsScene& scene)
 {
   auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
-  if (!this->Upload(scene, image) || this->Lines.Atlas.Tiles.empty())
-  {
-    return false;
-  }
-  this->CheckLights(scene, image);
-  std::vector<volumeoptics::LineScale> scales;
-  for (const LineTextures::Type& type : this->Lines.Types)
-  {
-    scales.push_back(
-      { scene.Mapper->GetLineRadiusScale(type.Number), scene.Mapper->GetLineOpacityScale(type.Number) });
-  }
-  this->Evaluation.Update(this->Lines, ViewOf(scene, image, this->Lines.Grid), scales,
-    scene.Mapper->GetLineOpacityFunction(), this->UploadedBits, scene.Window);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool LineVoxelTerm::Upload(const OpticsScene& scene, vtkImageData* image)
-{
-  const int bits = scene.Mapper->GetLinePrecision();
-  const bool isCurrent = image == this->Uploaded && image->GetMTime() == this->UploadedTime &&
-    bits == this->UploadedBits && (this->Lines.Atlas.Tiles.empty() || this->Lines.IsAlive(scene.Window));
-  if (isCurrent)
-  {
-    return true;
-  }
-  this->Uploaded = nullptr;
-  this->Evaluation.Invalidate();
-  const std::string error = this->Lines.Upload(image, bits, scene.Window);
+  const std::string error = this->Lines.Update(image, scene);
   if (!error.empty())
   {
     scene.Mapper->Say(error);
+  }
+  if (!error.empty() || this->Lines.IsEmpty())
+  {
     return false;
   }
-  this->Uploaded = image;
-  this->UploadedTime = image->GetMTime();
-  this->UploadedBits = bits;
+  CheckLights(scene, image);
+  this->PrepareBlock(scene);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void LineVoxelTerm::CheckLights(const OpticsScene& scene, vtkImageData* image) const
+void LineVoxelTerm::PrepareBlock(const OpticsScene& scene)
 {
-  if (!volumeoptics::HasLights(image, volumeoptics::ReadLights(scene.Renderer->GetLights())))
+  vtkImageData* image = this->GetBlock();
+  const std::string error = image ? this->Block.Update(image, scene) : "";
+  if (!error.empty())
   {
-    scene.Mapper->Say("The renderer's lights are not those that the lines' voxels were made with, which are "
-                      "drawn. Give these lights to vtkAnisotropicLineVoxelizer by SetLights().");
+    scene.Mapper->Say("The block of lines is left out. " + error);
+  }
+  this->HasBlock = image && error.empty();
+  if (this->HasBlock)
+  {
+    CheckLights(scene, image);
+  }
+  else
+  {
+    this->Block.Release(scene.Renderer->GetVTKWindow());
   }
 }
 
@@ -135,47 +101,39 @@ void LineVoxelTerm::CheckLights(const OpticsScene& scene, vtkImageData* image) c
 void LineVoxelTerm::AddFeatures(const OpticsScene&, OpticsFeatures& features)
 {
   features.Add(OpticsFeature::Lines);
+  features.Add(this->HasBlock ? OpticsFeature::LineBlock : OpticsFeature::LineBlockNone);
   features.Add(OpticsFeature::OpacityFormulas);
 }
 
 //------------------------------------------------------------------------------
-void LineVoxelTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* program)
+void LineVoxelTerm::SetUniforms(const OpticsScene&, vtkShaderProgram* program)
 {
-  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
-  const LineGrid& grid = this->Lines.Grid;
-  const glm::mat4 toVoxels(DataToVoxels(image, grid));
-  vtkNew<vtkMatrix4x4> columns;
-  for (int i = 0; i < 16; ++i)
+  const glm::dmat4 toLines = this->Lines.GetDataToVoxels();
+  SetMatrix(program, "in_opticsDataToLines", toLines);
+  this->Lines.SetUniforms("in_opticsLine", program);
+  if (this->HasBlock)
   {
-    columns->GetData()[i] = toVoxels[i / 4][i % 4];
+    SetMatrix(program, "in_opticsLinesToBlock", this->Block.GetDataToVoxels() * glm::inverse(toLines));
+    this->Block.SetUniforms("in_opticsBlock", program);
   }
-  program->SetUniformMatrix("in_opticsDataToLines", columns);
-  const glm::vec3 dimensions(grid.Dimensions), brick(grid.Brick);
-  program->SetUniform3f("in_opticsLineDimensions", &dimensions.x);
-  program->SetUniform3f("in_opticsLineBrick", &brick.x);
-  program->SetUniformf(
-    "in_opticsLineUnitInverse", static_cast<float>(grid.Surface() / (4.0 * grid.Volume())));
-  this->Lines.Bricks.Bind("in_opticsLineBricks", program);
-  this->Evaluation.Atlas.Bind("in_opticsLineAtlas", program);
 }
 
 //------------------------------------------------------------------------------
 void LineVoxelTerm::UnbindTextures()
 {
-  this->Lines.Bricks.Unbind();
-  this->Evaluation.Atlas.Unbind();
+  this->Lines.UnbindTextures();
+  this->Block.UnbindTextures();
 }
 
 //------------------------------------------------------------------------------
 void LineVoxelTerm::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Lines.Release(window);
-  this->Evaluation.Release(window);
-  this->Uploaded = nullptr;
+  this->Block.Release(window);
 }
 
 //------------------------------------------------------------------------------
 std::size_t LineVoxelTerm::GetMemorySize() const
 {
-  return this->Lines.GetMemorySize() + this->Evaluation.GetMemorySize();
+  return this->Lines.GetMemorySize() + this->Block.GetMemorySize();
 }

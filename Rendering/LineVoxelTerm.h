@@ -1,21 +1,24 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Anisotropic voxels [Schussman2004] in the ray caster: an image of vtkAnisotropicLineVoxelizer is drawn as lines.
+// Anisotropic voxels [Schussman2004] in the ray caster: an image of vtkAnisotropicLineVoxelizer is drawn as lines,
+// and a second one in place of a part of it.
 
 #ifndef LineVoxelTerm_h
 #define LineVoxelTerm_h
 
-#include "LineEvaluation.h"
+#include "FrameProvider.h"
+#include "LineVolume.h"
 #include "OpticsTerm.h"
-
-#include "vtkType.h"
-
-class vtkImageData;
 
 class LineVoxelTerm : public OpticsTerm
 {
 public:
+  FrameProvider::Connection BlockInput;
+
+  /** Up to date; null: none. */
+  vtkImageData* GetBlock() const;
+
   const char* GetName() const override { return "Lines"; }
   bool IsActive(const OpticsScene& scene) override;
   bool Prepare(const OpticsScene& scene) override;
@@ -26,14 +29,11 @@ public:
   std::size_t GetMemorySize() const override;
 
 private:
-  bool Upload(const OpticsScene& scene, vtkImageData* image);
-  void CheckLights(const OpticsScene& scene, vtkImageData* image) const;
+  void PrepareBlock(const OpticsScene& scene);
 
-  LineTextures Lines;
-  LineEvaluation Evaluation;
-  vtkImageData* Uploaded = nullptr;
-  vtkMTimeType UploadedTime = 0;
-  int UploadedBits = 0;
+  LineVolume Lines;
+  LineVolume Block;
+  bool HasBlock = false;
 };
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
-#include "LineVoxels.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
 #include "vtkAmbientCovarianceFilter.h"
@@ -23,6 +22,7 @@ namespace
 {
 const char* const GradientTypeNames[] = { "Stored", "CentralDifferences", "Automatic" };
 const char* const LightingSamplesNames[] = { "Fetched", "Extrapolated" };
+const char* const VisibilityAlgorithmNames[] = { "DirectionSweep", "Disk", "DiskSolidAngle" };
 }
 
 //------------------------------------------------------------------------------
@@ -130,6 +130,52 @@ const char* vtkOpticsVolumeMapper::GetLightingSamplesAsString()
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilityGridSize(int froxels)
+{
+  volumeoptics::SetWithinRange(this, "VisibilityGridSize", froxels, 1, 2048, this->VisibilityGridSize);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilitySliceDistance(double froxels)
+{
+  volumeoptics::SetWithinRange(
+    this, "VisibilitySliceDistance", froxels, 0.1, 10.0, this->VisibilitySliceDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilitySamples(int directions)
+{
+  if (directions != 4 && directions != 8 && directions != 16)
+  {
+    vtkWarningMacro(<< "VisibilitySamples " << directions << " is not set: choose 4, 8 or 16.");
+    return;
+  }
+  if (this->VisibilitySamples != directions)
+  {
+    this->VisibilitySamples = directions;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetVisibilityAlgorithmAsString()
+{
+  return VisibilityAlgorithmNames[this->VisibilityAlgorithm];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilityDiskSize(int size)
+{
+  volumeoptics::SetWithinRange(this, "VisibilityDiskSize", size, 1, 32, this->VisibilityDiskSize);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilityPrecision(int bits)
+{
+  volumeoptics::SetPrecision(this, "VisibilityPrecision", bits, this->VisibilityPrecision);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetQuality(int quality)
 {
   this->Quality = std::clamp(quality, static_cast<int>(Custom), static_cast<int>(Reference));
@@ -163,7 +209,7 @@ void vtkOpticsVolumeMapper::UpdateSampleDistance(vtkRenderer* renderer)
     return;
   }
   double spacing[3];
-  volumeoptics::GetVoxelSpacing(image, spacing);
+  this->GetVoxelSpacing(spacing);
   const double smallest = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   const double slack = this->IsInteractive(renderer) ? 2.0 : 1.0;
   this->SetAutoAdjustSampleDistances(0);
@@ -183,7 +229,7 @@ double vtkOpticsVolumeMapper::GetFrameSampleDistance(vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
   double spacing[3];
-  volumeoptics::GetVoxelSpacing(image, spacing);
+  this->GetVoxelSpacing(spacing);
   if (this->AutoAdjustSampleDistances)
   {
     double least = VTK_DOUBLE_MAX;
@@ -215,6 +261,13 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightingTableSize: " << this->LightingTableSize << "\n";
   os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
   os << indent << "PreIntegrationTableSize: " << this->PreIntegrationTableSize << "\n";
+  os << indent << "VisibilityGridSize: " << this->VisibilityGridSize << "\n";
+  os << indent << "VisibilitySliceDistance: " << this->VisibilitySliceDistance << "\n";
+  os << indent << "VisibilitySamples: " << this->VisibilitySamples << "\n";
+  os << indent << "VisibilityAlgorithm: " << this->GetVisibilityAlgorithmAsString() << "\n";
+  os << indent << "VisibilityDiskSize: " << this->VisibilityDiskSize << "\n";
+  os << indent << "VisibilityTrueDistances: " << (this->VisibilityTrueDistances ? "on" : "off") << "\n";
+  os << indent << "VisibilityPrecision: " << this->VisibilityPrecision << "\n";
   os << indent << "TablePrecision: " << this->TablePrecision << "\n";
   os << indent << "LinePrecision: " << this->LinePrecision << "\n";
   os << indent << "LineOpacityFunction: " << this->LineOpacityFunction.Get() << "\n";

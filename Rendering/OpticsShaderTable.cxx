@@ -5,6 +5,9 @@
 
 #include "vtkShaderProgram.h"
 
+#include "AmbientAlone.h"
+#include "AmbientColor.h"
+#include "AmbientSurface.h"
 #include "AnisotropyComponents.h"
 #include "AnisotropyFrame.h"
 #include "AnisotropyMap.h"
@@ -44,16 +47,16 @@
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
+#include "LineBlock.h"
+#include "LineBlockNone.h"
 #include "LineFragment.h"
 #include "LineLookup.h"
 #include "LineRay.h"
-#include "LineSample.h"
 #include "LineShadingImpl.h"
 #include "LineShadingInit.h"
 #include "LineTerminate.h"
 #include "LineVoxel.h"
 #include "LinesDec.h"
-#include "LinesInit.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
 #include "MultiSampleRule.h"
@@ -61,6 +64,8 @@
 #include "NoNormalForCentral.h"
 #include "NormalForCentral.h"
 #include "NormalLookup.h"
+#include "Occlusion.h"
+#include "OcclusionNone.h"
 #include "Opacity.h"
 #include "OpacityAt2D.h"
 #include "OpacityAtLabel.h"
@@ -68,6 +73,8 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
+#include "OwnOpacity.h"
+#include "OwnOpacityInData.h"
 #include "ProjectedTetrahedraDec.h"
 #include "ProjectedTetrahedraInterior.h"
 #include "ProjectedTetrahedraIsosurfaces.h"
@@ -108,12 +115,26 @@
 #include "SurfaceFlag.h"
 #include "SurfaceInData.h"
 #include "SurfaceOfExtinction.h"
+#include "SweepClipping.h"
+#include "SweepClippingNone.h"
+#include "SweepDec.h"
+#include "SweepFrame.h"
+#include "SweepInData.h"
+#include "SweepInSpace.h"
+#include "SweepIsosurfaces.h"
+#include "SweepIsosurfacesNone.h"
+#include "SweepOfSample.h"
+#include "SweepOfSegment.h"
+#include "SweepRayBegin.h"
+#include "SweepRayEnd.h"
+#include "SweepTerminate.h"
 #include "Transmitted.h"
 #include "TransmittedDec.h"
 #include "TransmittedNone.h"
 #include "TransmittedShare.h"
 #include "TransmittedSide.h"
 #include "TransmittedSurface.h"
+#include "Visibility.h"
 
 #include <vector>
 
@@ -134,6 +155,7 @@ const Place ComputeRayDirectionDec = { "//VTK::ComputeRayDirection::Dec", true }
 const Place ClippingImpl = { "//VTK::Clipping::Impl", true };
 const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
+const Place DepthPassImpl = { "//VTK::DepthPass::Impl", true };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
 const Place AfterTerminateImpl = { "//VTK::Terminate::Impl", true };
 // Places of our own, in Lighting.glsl.
@@ -156,15 +178,16 @@ const Row Table[] = {
   { F::Transmitted, &BaseDec, TransmittedDec },
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
+  { F::VisibilitySweep, &BaseDec, SweepDec },
   { F::Lines, &BaseDec, LinesDec },
 
   { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
-  { F::Lines, &BaseInit, LinesInit },
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
   { F::OpacityFormulas, &ComputeLightingDec, Opacity },
-  { F::Integral, &ComputeLightingDec, DataSpace },
+  { F::DataSpaceFormulas, &ComputeLightingDec, DataSpace },
+  { F::VisibilityFormulas, &ComputeLightingDec, Visibility },
   { F::ExtinctionSurface, &ComputeLightingDec, Reflectance },
   { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
   { F::FrameLookup, &ComputeLightingDec, NormalLookup },
@@ -207,6 +230,12 @@ const Row Table[] = {
   { F::CoefficientsOfTable, &ComputeLightingDec, CoefficientsOfTable },
   { F::HybridNormals, &ComputeLightingDec, HybridNormal },
   { F::HybridNormals, &ComputeLightingDec, HybridDec },
+  { F::OwnOpacity, &ComputeLightingDec, OwnOpacity },
+  { F::OwnOpacityInData, &ComputeLightingDec, OwnOpacityInData },
+  { F::OcclusionNone, &ComputeLightingDec, OcclusionNone },
+  { F::Occlusion, &ComputeLightingDec, Occlusion },
+  { F::AmbientLight, &ComputeLightingDec, AmbientColor },
+  { F::AmbientAlone, &ComputeLightingDec, AmbientAlone },
   { F::Reflectance, &ComputeLightingDec, Lighting },
   { F::MultiSample, &ComputeLightingDec, SoftRange },
   { F::MultiSample, &ComputeLightingDec, MultiSampleRule },
@@ -216,6 +245,7 @@ const Row Table[] = {
   { F::ScalarGradientCentral, &GradientPlace, ScalarGradientOfSample },
   { F::HybridNormals, &SurfacePlace, HybridSurface },
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
+  { F::AmbientLight, &SurfacePlace, AmbientSurface },
   { F::Transmitted, &SurfacePlace, TransmittedSurface },
   { F::Transmitted, &LightPlace, TransmittedSide },
   { F::Transmitted, &TransmissionPlace, Transmitted },
@@ -243,13 +273,26 @@ const Row Table[] = {
   { F::HiddenHalf, &ComputeRayDirectionDec, HiddenHalf },
   { F::HiddenByCropping, &ComputeRayDirectionDec, HiddenByCropping },
   { F::Integral, &ComputeRayDirectionDec, IntegralRay },
+  { F::SweepClipping, &ComputeRayDirectionDec, SweepClipping },
+  { F::SweepClippingNone, &ComputeRayDirectionDec, SweepClippingNone },
+  { F::SweepOfSample, &ComputeRayDirectionDec, SweepOfSample },
+  { F::SweepInSpace, &ComputeRayDirectionDec, SweepInSpace },
+  { F::SweepInData, &ComputeRayDirectionDec, SweepInData },
+  { F::SweepIsosurfaces, &ComputeRayDirectionDec, SweepIsosurfaces },
+  { F::SweepIsosurfacesNone, &ComputeRayDirectionDec, SweepIsosurfacesNone },
+  { F::SweepOfSegment, &ComputeRayDirectionDec, SweepOfSegment },
+  { F::VisibilitySweep, &ClippingImpl, SweepRayBegin },
   { F::Integral, &ClippingImpl, IntegralPath },
   { F::Integral, &ShadingInit, IntegralInit },
+  { F::VisibilitySweep, &ShadingInit, SweepRayEnd },
+  { F::SweepFrame, &ShadingInit, SweepFrame },
+  { F::VisibilitySweep, &DepthPassImpl, SweepTerminate },
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
 
   { F::Lines, &ComputeRayDirectionDec, LineLookup },
-  { F::Lines, &ComputeRayDirectionDec, LineSample },
+  { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
+  { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
   { F::Lines, &ComputeRayDirectionDec, LineRay },
   { F::Lines, &ShadingInit, LineShadingInit },
   { F::Lines, &ShadingImpl, LineShadingImpl },
@@ -334,7 +377,7 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
 {
   Place place = ComputeLightingDec;
   std::string text = TextFor(ComputeLightingDec, features);
-  if (features.Has(OpticsFeature::Reflectance))
+  if (features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone))
   {
     place.KeepsVTKText = false;
     text.insert(0, NumberOfLightsText(features.NumberOfLights));
@@ -349,7 +392,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 {
   bool found = InsertLighting(fragment, features);
   for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &ShadingImpl, &TerminateImpl, &AfterTerminateImpl })
+         &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }

@@ -72,9 +72,29 @@ enum class OpticsFeature
   Transmitted,
   HiddenHalf,
   HiddenByCropping,
+  AmbientLight, // other than white and everywhere the same
+  AmbientAlone, // without Shade
+  OcclusionNone,
+  OwnOpacity,
+  OwnOpacityInData,
+  Occlusion,
+  DataSpaceFormulas,
+  VisibilityFormulas,
+  VisibilitySweep, // the text serves a sweep as well (SweepProgram)
+  SweepOfSample,
+  SweepOfSegment,
+  SweepInSpace,
+  SweepInData,
+  SweepIsosurfaces,
+  SweepIsosurfacesNone,
+  SweepFrame,
+  SweepClipping,
+  SweepClippingNone,
   IsosurfacesNone,
   Isosurfaces,
   Lines, // anisotropic voxels are drawn in place of VTK's samples
+  LineBlock,
+  LineBlockNone,
   Count
 };
 

@@ -37,10 +37,6 @@ std::string FindUnsupported(const OpticsScene& scene)
   {
     return "data other than vtkImageData";
   }
-  if (HasLineVoxels(scene))
-  {
-    return "lines as anisotropic voxels, which have opacity and light of their own";
-  }
   if (IsFlat(scene))
   {
     return "a volume of a single point on an axis";
@@ -58,6 +54,13 @@ std::string FindUnsupported(const OpticsScene& scene)
     return "a gradient opacity of labels";
   }
   return std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupportedBySamples(const OpticsScene& scene)
+{
+  return HasLineVoxels(scene) ? "lines as anisotropic voxels, which have opacity and light of their own"
+                              : FindUnsupported(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -86,7 +89,7 @@ std::string FindUnsupportedByLines(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 std::string FindUnsupportedByIntegral(const OpticsScene& scene)
 {
-  std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty())
   {
     return reason;
@@ -121,13 +124,13 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene));
+      TransmitsLight(scene) || WantsAmbientLight(scene));
 }
 
 //------------------------------------------------------------------------------
 bool ReplacesLighting(const OpticsScene& scene)
 {
-  return WantsLighting(scene) && FindUnsupported(scene).empty();
+  return WantsLighting(scene) && FindUnsupportedBySamples(scene).empty();
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +154,7 @@ bool WantsClassification(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 std::string FindUnsupportedByClassification(const OpticsScene& scene)
 {
-  std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty())
   {
     return reason;
@@ -198,6 +201,25 @@ bool TransmitsLight(const OpticsScene& scene)
 {
   return scene.Optics->GetTransmittedLight() != Property::TransmittedLightOff &&
     scene.Volume->GetProperty()->GetShade() && IntegratesInData(scene);
+}
+
+//------------------------------------------------------------------------------
+bool WantsAmbientLight(const OpticsScene& scene)
+{
+  const double* color = scene.Optics->GetAmbientColor();
+  return scene.Optics->GetOcclusion() || color[0] != 1.0 || color[1] != 1.0 || color[2] != 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool HasAmbientLight(const OpticsScene& scene)
+{
+  return WantsAmbientLight(scene) && FindUnsupported(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool HasOcclusion(const OpticsScene& scene)
+{
+  return scene.Optics->GetOcclusion() && HasAmbientLight(scene);
 }
 
 //------------------------------------------------------------------------------

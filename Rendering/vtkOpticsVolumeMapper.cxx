@@ -10,6 +10,7 @@
 #include "LightingTransferFunctionTerm.h"
 #include "LineVoxelTerm.h"
 #include "MultiSampleTerm.h"
+#include "OcclusionTerm.h"
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
 #include "SceneNeeds.h"
@@ -22,6 +23,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -38,6 +40,11 @@
 
 vtkStandardNewMacro(vtkOpticsVolumeMapper);
 
+namespace
+{
+const double SlowestInteraction = 1.0; // frames a second, vtkSmartVolumeMapper's limit
+}
+
 class vtkOpticsVolumeMapper::Implementation
 {
 public:
@@ -52,8 +59,10 @@ public:
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
   LineVoxelTerm Lines;
+  OcclusionTerm Occlusion;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines,
+    &this->Occlusion };
   vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of lines whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
@@ -266,6 +275,38 @@ void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputConnection(vtkAlgorithmOutput* output)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(output);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputData(vtkImageData* voxels)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(voxels);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+// Of the finer ones, where a block replaces lines.
+void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  volumeoptics::GetVoxelSpacing(image, spacing);
+  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->Terms->Lines.GetBlock() : nullptr;
+  double ofBlock[3] = { spacing[0], spacing[1], spacing[2] };
+  if (block)
+  {
+    volumeoptics::GetVoxelSpacing(block, ofBlock);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = std::min(std::abs(spacing[axis]), std::abs(ofBlock[axis]));
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
 {
   return this->Terms->Frames.Provider.Sobel;
@@ -325,8 +366,14 @@ void vtkOpticsVolumeMapper::Say(const std::string& message)
 bool vtkOpticsVolumeMapper::IsInteractive(vtkRenderer* renderer)
 {
   vtkRenderWindowInteractor* interactor = renderer->GetRenderWindow()->GetInteractor();
-  return interactor && interactor->GetInteractorStyle() &&
-    renderer->GetRenderWindow()->GetDesiredUpdateRate() > interactor->GetStillUpdateRate();
+  if (!interactor || !interactor->GetInteractorStyle())
+  {
+    return false;
+  }
+  // still frames of ParaView have a rate of their own, above the interactor's
+  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
+  return rate > interactor->GetStillUpdateRate() &&
+    rate >= std::min(interactor->GetDesiredUpdateRate(), SlowestInteraction);
 }
 
 //------------------------------------------------------------------------------
@@ -335,6 +382,35 @@ void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
   const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
   range[0] = loaded[0];
   range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetNumberOfBlocks()
+{
+  const auto& parts = this->AssembledInputs[0].Texture->GetPartitions();
+  return parts[0] * parts[1] * parts[2];
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkOpticsVolumeMapper::GetVolumeTexture()
+{
+  return this->AssembledInputs[0].Texture->GetCurrentBlock()->TextureObject;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetTextureToData(double matrix[16])
+{
+  vtkVolumeTexture* texture = this->AssembledInputs[0].Texture;
+  double pointToCell[16];
+  vtkMatrix4x4::Invert(texture->CellToPointMatrix->GetData(), pointToCell);
+  vtkMatrix4x4::Multiply4x4(texture->GetCurrentBlock()->TextureToDataset->GetData(), pointToCell, matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetAverageIPScalarRange(double range[2])
+{
+  this->Superclass::GetAverageIPScalarRange(range);
+  this->Terms->Pass->BeforeDraw();
 }
 
 //------------------------------------------------------------------------------

@@ -4,23 +4,16 @@
 #include "TradeLines.h"
 
 #include "CsvWriter.h"
+#include "FramePicture.h"
 #include "LineScene.h"
+#include "LineTubes.h"
 #include "Progress.h"
 #include "SvgPlot.h"
 
 #include "vtkAnalyticLineSource.h"
 
-#include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkImageData.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkTubeFilter.h>
-#include <vtkVolume.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +22,6 @@
 
 namespace
 {
-const int Supersampling = 10;
-
 // Beside the knob that is turned.
 struct Setting
 {
@@ -78,77 +69,6 @@ std::vector<Setting> Settings(double radius)
   return settings;
 }
 
-struct Picture
-{
-  int Width = 0, Height = 0;
-  std::vector<double> Values; // rgb
-};
-
-// Means of factor x factor pixels.
-Picture Reduced(const Picture& picture, int factor)
-{
-  Picture small{ picture.Width / factor, picture.Height / factor, {} };
-  small.Values.assign(3 * small.Width * small.Height, 0.0);
-  for (int y = 0; y < small.Height * factor; ++y)
-  {
-    for (int x = 0; x < small.Width * factor; ++x)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        small.Values[3 * (y / factor * small.Width + x / factor) + c] +=
-          picture.Values[3 * (y * picture.Width + x) + c] / (factor * factor);
-      }
-    }
-  }
-  return small;
-}
-
-Picture ToPicture(vtkImageData* image)
-{
-  const int* size = image->GetDimensions();
-  Picture picture{ size[0], size[1], {} };
-  const int components = image->GetNumberOfScalarComponents();
-  const auto* bytes = static_cast<const unsigned char*>(image->GetScalarPointer());
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    picture.Values.insert(picture.Values.end(), bytes + i * components, bytes + i * components + 3);
-  }
-  return picture;
-}
-
-// Over the pixels that either picture covers; the background is black.
-double SignalToNoise(const Picture& a, const Picture& b)
-{
-  double sum = 0.0;
-  long long count = 0;
-  for (std::size_t i = 0; i < a.Values.size(); i += 3)
-  {
-    double square = 0.0, most = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      square += std::pow(a.Values[i + c] - b.Values[i + c], 2.0);
-      most = std::max(most, std::max(a.Values[i + c], b.Values[i + c]));
-    }
-    sum += most >= 0.5 ? square : 0.0;
-    count += most >= 0.5 ? 3 : 0;
-  }
-  return sum > 0.0 ? 10.0 * std::log10(255.0 * 255.0 * count / sum) : 99.0;
-}
-
-void WritePicture(const Picture& picture, const std::string& path)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.Width, picture.Height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::transform(picture.Values.begin(), picture.Values.end(),
-    static_cast<unsigned char*>(image->GetScalarPointer()),
-    [](double value) { return static_cast<unsigned char>(std::lround(value)); });
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(image);
-  writer->Write();
-}
-
 double ProcessorSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -165,39 +85,9 @@ PictureSettings MakePicture(int size)
   return picture;
 }
 
-// The scene of the voxels with tubes in the volume's place. VTK's lobe is Phong's: a fourth of Blinn's
-// exponent is as wide.
-Picture DrawTubes(vtkPolyData* lines, LineScene& scene, int size, double radius)
-{
-  const LineSettings settings = Spirals(radius);
-  vtkNew<vtkTubeFilter> tubes;
-  tubes->SetInputData(lines);
-  tubes->SetRadius(radius);
-  tubes->SetNumberOfSides(8);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(tubes->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(settings.Color[0], settings.Color[1], settings.Color[2]);
-  actor->GetProperty()->SetSpecularColor(1.0, 1.0, 1.0);
-  actor->GetProperty()->SetAmbient(settings.Ambient);
-  actor->GetProperty()->SetDiffuse(settings.Diffuse);
-  actor->GetProperty()->SetSpecular(settings.Specular);
-  actor->GetProperty()->SetSpecularPower(settings.SpecularPower / 4.0);
-  vtkRenderer* renderer = scene.GetScene().GetRenderer();
-  renderer->RemoveAllViewProps();
-  renderer->AddActor(actor);
-  scene.GetScene().GetWindow()->SetSize(size * Supersampling, size * Supersampling);
-  scene.Render();
-  Picture picture = Reduced(ToPicture(scene.GetScene().Capture()), Supersampling);
-  renderer->RemoveActor(actor);
-  return picture;
-}
-
 struct Result
 {
-  Picture Frame;
+  FramePicture Frame;
   double VoxelizeSeconds = 0.0, EvaluateSeconds = 0.0, MiB = 0.0;
 };
 
@@ -228,7 +118,7 @@ Result Measure(vtkPolyData* lines, const Setting& setting, const LinesTradeOptio
   scene.GetEvaluator()->Update();
   result.EvaluateSeconds = ProcessorSeconds() - start;
   scene.Render();
-  result.Frame = ToPicture(scene.GetScene().Capture());
+  result.Frame = ToFramePicture(scene.GetScene().Capture());
   return result;
 }
 }
@@ -241,14 +131,14 @@ void TradeLines(const LinesTradeOptions& options)
   source->Update();
   vtkPolyData* lines = source->GetOutput();
   Setting first{ "", "", Spirals(options.Radius) };
-  Picture truth;
+  FramePicture truth;
   {
     const Progress tubes("Drawing tubes at 10 x 10 the resolution");
     LineScene scene(Voxelize(lines, first), MakePicture(options.Size), OffScreenWindow(options.Headless));
-    truth = DrawTubes(lines, scene, options.Size, options.Radius);
+    truth = DrawTubes(lines, Spirals(options.Radius), scene.GetScene()).Frame;
   }
-  WritePicture(truth, options.Folder + "/lines-tubes.png");
-  const Picture smallTruth = Reduced(truth, 2);
+  WritePng(truth, options.Folder + "/lines-tubes.png");
+  const FramePicture smallTruth = Reduced(truth, 2);
   CsvWriter csv(options.Folder + "/lines.csv",
     { "knob", "value", "voxelize s", "evaluate s", "MiB", "PSNR dB", "PSNR of 2 x 2 dB" });
   Plot plot{ "Spirals against tubes", "MiB", "PSNR of 2 x 2, dB", {} };
@@ -273,7 +163,7 @@ void TradeLines(const LinesTradeOptions& options)
     plot.Series.back().Points.push_back({ result.MiB, reduced, setting.Value });
     if (setting.Knob == "grid" && setting.Value == "256")
     {
-      WritePicture(result.Frame, options.Folder + "/lines-voxels.png");
+      WritePng(result.Frame, options.Folder + "/lines-voxels.png");
     }
   }
   WriteSvg(options.Folder + "/lines.svg", plot);

@@ -73,3 +73,14 @@ vec2 PlaceOnSlice(vec2 place, vec2 slope, float sliceDistance, float width, floa
 {
   return (place * width + slope * sliceDistance) / otherWidth;
 }
+
+// What the points of a stretch of the ray see through it, on average, each as much as the eye sees of it:
+// int_0^1 exp(-x s) exp(-x r s) x ds / (1 - exp(-x)) for the depth x and the relative length r. opacity in
+// [0, 1] of the stretch; relativeLength >= 0 of the way out to that along the ray. 1 without opacity, and
+// 1/(1 + r) of an opaque stretch: its points see the half of what they would without it at r = 1.
+float StretchVisibility(float opacity, float relativeLength)
+{
+  float depth = opacity < 1.0 ? OpticalDepth(opacity) : LargestDepth;
+  float whole = 1.0 + relativeLength;
+  return opacity > 0.0 ? OneMinusExp(min(depth * whole, LargestDepth)) / (whole * opacity) : 1.0;
+}

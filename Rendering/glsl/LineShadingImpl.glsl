@@ -5,7 +5,7 @@
     g_srcColor = vec4(0.0);
     if (!g_skip)
       {
-      vec4 opticsLines = opticsLinesAt(vec3(g_opticsTexToLines * vec4(g_dataPos, 1.0)));
+      vec4 opticsLines = opticsLinesAt(opticsTexToLines(vec4(g_dataPos, 1.0)));
       g_srcColor.a = OneMinusExp(opticsLines.a * in_sampleDistance);
       g_srcColor.rgb = opticsLines.rgb * g_srcColor.a;
       g_fragColor += (1.0 - g_fragColor.a) * g_srcColor;

@@ -9,5 +9,3 @@ uniform mat4 in_opticsDataToLines;
 uniform vec3 in_opticsLineDimensions;
 uniform vec3 in_opticsLineBrick;
 uniform float in_opticsLineUnitInverse; // of the length that the opacity of a voxel belongs to
-
-mat4 g_opticsTexToLines;

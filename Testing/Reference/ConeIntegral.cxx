@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace reference
 {
@@ -45,6 +46,19 @@ public:
 private:
   std::uint64_t State;
 };
+
+// Of a point, by the bits of its coordinates.
+std::uint64_t NumberOf(const Vector& point)
+{
+  std::uint64_t number = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &point[axis], sizeof(bits));
+    number = (number ^ bits) * 0x100000001B3ULL;
+  }
+  return number;
+}
 
 struct Basis
 {
@@ -169,11 +183,11 @@ std::vector<Vector> ConeDirections(const Vector& axis, const ConeRays& rays, std
 }
 
 //------------------------------------------------------------------------------
-double ConeVisibility(const Occluders& occluders, const Vector& point, const Vector& axis,
-  const ConeRays& rays, std::uint64_t pointNumber)
+double ConeVisibility(
+  const Occluders& occluders, const Vector& point, const Vector& axis, const ConeRays& rays)
 {
   double sum = 0.0;
-  for (const Vector& direction : ConeDirections(axis, rays, pointNumber))
+  for (const Vector& direction : ConeDirections(axis, rays, NumberOf(point)))
   {
     sum += occluders.Transmittance(point, direction);
   }
@@ -203,7 +217,7 @@ std::vector<double> VisibilityAt(
   vtkSMPTools::For(0, static_cast<vtkIdType>(points.size()), 64, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      values[i] = ConeVisibility(occluders, points[i].position, axis ? *axis : points[i].toViewer, rays, i);
+      values[i] = ConeVisibility(occluders, points[i].position, axis ? *axis : points[i].toViewer, rays);
     }
   });
   return values;

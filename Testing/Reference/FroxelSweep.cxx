@@ -96,6 +96,17 @@ SliceFrame FrameOfCamera(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
+std::array<int, 3> FroxelsOf(const SliceFrame& frame, int size, double sliceDistance)
+{
+  const glm::dvec2 sides = frame.highest - frame.lowest;
+  const double froxel = std::max(sides.x, sides.y) / size;
+  const double side = froxel * frame.WidthAt(0.5 * (frame.front + frame.back));
+  const auto whole = [](double number) { return std::max(1, static_cast<int>(std::ceil(number - 1.0e-6))); };
+  return { whole(sides.x / froxel), whole(sides.y / froxel),
+    whole((frame.back - frame.front) / (sliceDistance * side)) };
+}
+
+//------------------------------------------------------------------------------
 struct FroxelSweep::Channel
 {
   optics::ConeRay ray;

@@ -38,6 +38,10 @@ struct SliceFrame
 // the volume: as wide as the window.
 SliceFrame FrameOfCamera(const Scene& scene);
 
+// Columns, rows and slices of a grid with so many froxels along its longer side, whose slices are apart by
+// sliceDistance sides of a froxel half-way through.
+std::array<int, 3> FroxelsOf(const SliceFrame& frame, int size, double sliceDistance);
+
 enum class SweepAlgorithm
 {
   Directions = 0,  // fixed ones of equal solid angle

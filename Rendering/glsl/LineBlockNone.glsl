@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+// Place ComputeRayDirection::Dec, after LineLookup.
+
 // What the lines show at a position, in voxels: colour, and extinction by length in data space.
 vec4 opticsLinesAt(vec3 position)
 {
@@ -9,9 +11,8 @@ vec4 opticsLinesAt(vec3 position)
   return vec4(vec3(lines), lines.a * in_opticsLineUnitInverse);
 }
 
-// Whether nothing is drawn at a position.
-bool opticsLinesAreEmptyAt(vec3 position)
+float opticsStepsOverNothing(vec3 position, vec3 direction)
 {
-  vec3 tile = opticsLineTile(position, in_opticsLineDimensions, in_opticsLineBrick);
-  return texelFetch(in_opticsLineBricks, ivec3(tile), 0).x < 0.0;
+  return opticsEmptySteps(
+    in_opticsLineBricks, position, direction, in_opticsLineDimensions, in_opticsLineBrick);
 }
