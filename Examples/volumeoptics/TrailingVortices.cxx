@@ -44,8 +44,9 @@ struct Vortex
 };
 
 // A pair of strong ones, and two weak ones that these carry around.
-const Vortex Vortices[] = { { 0.27, 0.0, 1.0, 0.07, 0.05, 3.5, 0.0 }, { -0.27, 0.0, -1.0, 0.07, 0.05, 3.5, Pi },
-  { 0.27, 0.22, 0.35, 0.04, 0.09, 5.0, 1.0 }, { -0.27, 0.22, -0.35, 0.04, 0.09, 5.0, Pi - 1.0 } };
+const Vortex Vortices[] = { { 0.27, 0.0, 1.0, 0.07, 0.05, 3.5, 0.0 },
+  { -0.27, 0.0, -1.0, 0.07, 0.05, 3.5, Pi }, { 0.27, 0.22, 0.35, 0.04, 0.09, 5.0, 1.0 },
+  { -0.27, 0.22, -0.35, 0.04, 0.09, 5.0, Pi - 1.0 } };
 
 // Lamb's and Oseen's vortices in a uniform stream. along: how much of the cores' own direction is added in
 // the cores.
@@ -69,9 +70,9 @@ Vector FlowAt(const Vector& p, double along)
 
 Vector Moved(const Vector& p, const Vector& flow, double length)
 {
-  const double speed =
-    std::max(std::sqrt(flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2]), 1e-12);
-  return { p[0] + flow[0] / speed * length, p[1] + flow[1] / speed * length, p[2] + flow[2] / speed * length };
+  const double speed = std::max(std::sqrt(flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2]), 1e-12);
+  return { p[0] + flow[0] / speed * length, p[1] + flow[1] / speed * length,
+    p[2] + flow[2] / speed * length };
 }
 
 Vector Next(const Vector& p, double along)

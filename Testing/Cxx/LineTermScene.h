@@ -197,7 +197,8 @@ private:
       sum += weights.x * weights.y * weights.z * glm::dvec4(rgba[0], rgba[1], rgba[2], 1.0) * double(rgba[3]);
     }
     const double unit = 4.0 * this->Grid.Volume() / this->Grid.Surface();
-    return glm::dvec4(glm::dvec3(sum) / std::max(sum.w, 1e-300), -std::log1p(-std::min(sum.w, 1.0 - 1e-16)) / unit);
+    return glm::dvec4(
+      glm::dvec3(sum) / std::max(sum.w, 1e-300), -std::log1p(-std::min(sum.w, 1.0 - 1e-16)) / unit);
   }
 
   // VTK's samples: from a step behind the entry on, as long as they are inside.

@@ -17,7 +17,8 @@ const double HalfFloats = 2.0e-3;
 // than 1; and the interpolation's weights.
 const double Floats = 2.0e-4;
 
-void CheckPicture(Check& check, const std::string& name, LineTermScene& scene, LinePicture& reference, double bound)
+void CheckPicture(
+  Check& check, const std::string& name, LineTermScene& scene, LinePicture& reference, double bound)
 {
   const PictureDifference difference = Compare(scene.RenderFloat(), reference.Render());
   std::cout << name << ": largest " << difference.Largest << ", mean " << difference.Mean << std::endl;
