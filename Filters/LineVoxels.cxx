@@ -144,6 +144,22 @@ bool HasLights(vtkImageData* image, const std::vector<LineLight>& lights)
     std::equal(values.begin(), values.end(), stored, isNear);
 }
 
+bool HoldsLineVoxels(vtkImageData* image)
+{
+  return image->GetCellData()->HasArray("BrickIndex") &&
+    Pointer<int>(image, "SampleDimensions", VTK_INT, 3) && Pointer<int>(image, "BrickDimensions", VTK_INT, 3);
+}
+
+void GetVoxelSpacing(vtkImageData* image, double spacing[3])
+{
+  image->GetSpacing(spacing);
+  const int* brick = HoldsLineVoxels(image) ? Pointer<int>(image, "BrickDimensions", VTK_INT, 3) : nullptr;
+  for (int axis = 0; brick && axis < 3; ++axis)
+  {
+    spacing[axis] /= std::max(brick[axis], 1);
+  }
+}
+
 LineVoxels::LineVoxels(vtkImageData* image, std::string& error)
 {
   error = this->ReadGrid(image);

@@ -37,6 +37,12 @@ struct LineCoefficients
   glm::dvec3 LeastColor = glm::dvec3(0.0), LargestColor = glm::dvec3(1.0);
 };
 
+// Whether the cells of an image are bricks of anisotropic voxels.
+bool HoldsLineVoxels(vtkImageData* image);
+
+// Edges of the image's voxels: anisotropic ones, or else its own.
+void GetVoxelSpacing(vtkImageData* image, double spacing[3]);
+
 class LineVoxels
 {
 public:

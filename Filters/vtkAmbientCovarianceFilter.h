@@ -70,7 +70,8 @@ public:
    * finite values of the input's whole extent, so that pieces agree. If the input holds the whole
    * extent they are found there; else the filter asks the input once for slabs of the whole extent,
    * none larger than what the piece itself needs, and remembers the range until the input changes.
-   * Setting the range saves that pass. In a distributed program set it: a process knows its own piece alone.
+   * Setting the range saves that pass. Processes that share the volume (SetController()) each look at
+   * their own piece.
    */
   void SetScalarRange(double least, double largest);
   void SetScalarRange(const double range[2]) { this->SetScalarRange(range[0], range[1]); }
@@ -166,16 +167,14 @@ protected:
     vtkInformationVector** inputs, volumeoptics::Batches& batches,
     volumeoptics::VoxelBox<float>& codes) override;
 
-  bool HasScalarRange() const { return this->ScalarRange[0] <= this->ScalarRange[1]; }
-
-  double ScalarRange[2] = { 1.0, 0.0 };
-
 private:
+  bool HasScalarRange() const { return this->ScalarRange[0] <= this->ScalarRange[1]; }
   // False if the filter must be executed again, with another extent of the input.
   bool FindRange(vtkInformationVector** inputs, vtkDataArray* scalars);
 
   double Radius = 10.0;
   double ScalarTolerance = 0.05;
+  double ScalarRange[2] = { 1.0, 0.0 };
   int NumberOfSamples = 100;
   int SamplingPattern = Shared;
   int SampleInterpolation = Nearest;
@@ -184,6 +183,8 @@ private:
   int Seed = 1;
 
   std::unique_ptr<volumeoptics::RangeSearch> Search;
+  double RangeOfProcesses[2] = { 1.0, 0.0 };
+  bool IsShared = false; // in this update
 
   vtkAmbientCovarianceFilter(const vtkAmbientCovarianceFilter&) = delete;
   void operator=(const vtkAmbientCovarianceFilter&) = delete;

@@ -7,7 +7,9 @@
 
 #include "Batches.h"
 #include "GaussianFilter.h"
-#include "PieceExtent.h"
+#include "OwnedExtent.h"
+#include "ProcessGroup.h"
+#include "RangeSearch.h"
 #include "ScalarSource.h"
 
 #include "vtkDataObject.h"
@@ -16,6 +18,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -26,12 +29,21 @@
 
 using volumeoptics::Extent;
 using volumeoptics::ImageGrid;
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+// What is computed of the volume at once.
+struct vtkOpticsImageFilter::Part
+{
+  ImageGrid Grid; // the whole, or as much of it as the input has
+  Extent Computed;
+  Extent Owned; // without ghost layers
+};
 
 namespace
 {
 void SetGeometry(const ImageGrid& grid, vtkInformation* input, vtkInformation* output)
 {
-  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), grid.Whole.data(), 6);
+  output->Set(SDDP::WHOLE_EXTENT(), grid.Whole.data(), 6);
   output->Set(vtkDataObject::SPACING(), &grid.Spacing.x, 3);
   if (input->Has(vtkDataObject::ORIGIN()))
   {
@@ -67,6 +79,31 @@ void PassArrays(vtkImageData* input, vtkImageData* output)
 }
 
 //------------------------------------------------------------------------------
+vtkOpticsImageFilter::vtkOpticsImageFilter()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsImageFilter::~vtkOpticsImageFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkOpticsImageFilter::GetController() const
+{
+  return this->Controller;
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsImageFilter::SetResolutionFactor(double factor)
 {
   volumeoptics::SetWithinRange(this, "ResolutionFactor", factor, 0.01, 1.0, this->ResolutionFactor);
@@ -99,8 +136,7 @@ ImageGrid vtkOpticsImageFilter::GetGrid(vtkInformationVector** inputs)
 //------------------------------------------------------------------------------
 bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
 {
-  const bool hasExtent =
-    inputs[0]->GetInformationObject(0)->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) != 0;
+  const bool hasExtent = inputs[0]->GetInformationObject(0)->Has(SDDP::WHOLE_EXTENT()) != 0;
   if (!hasExtent)
   {
     vtkErrorMacro("The input has no extent. Connect an image (vtkImageData).");
@@ -123,7 +159,19 @@ int vtkOpticsImageFilter::RequestInformation(
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::GetExtentToCompute(const ImageGrid&, vtkInformation* output, int extent[6])
 {
-  output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  output->Get(SDDP::UPDATE_EXTENT(), extent);
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::GetNumberOfInputPieces(vtkInformation* output)
+{
+  return volumeoptics::NumberOfPieces(output);
+}
+
+//------------------------------------------------------------------------------
+volumeoptics::ProcessGroup vtkOpticsImageFilter::GetProcesses(vtkInformation* output)
+{
+  return volumeoptics::ProcessGroup(this->Controller, this, output);
 }
 
 //------------------------------------------------------------------------------
@@ -147,6 +195,24 @@ void vtkOpticsImageFilter::GetNeededExtent(const ImageGrid& grid, const int outp
 }
 
 //------------------------------------------------------------------------------
+// Layers of the input around a piece: those of the output, the reach, and, where the output is coarser,
+// the way to the output's next voxel.
+int vtkOpticsImageFilter::GetGhostLevels(const ImageGrid& grid, vtkInformation* output)
+{
+  volumeoptics::Halo reach;
+  this->GetReach(grid, reach.data());
+  int layers = *std::max_element(reach.begin(), reach.end());
+  if (this->Smoothing > 0.0)
+  {
+    const volumeoptics::GaussianFilter gaussian(grid, this->Smoothing * grid.VoxelLength);
+    const volumeoptics::Halo halo = gaussian.GetHalo();
+    layers += *std::max_element(halo.begin(), halo.end());
+  }
+  layers += output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + (grid.Factor < 1.0 ? 2 : 0);
+  return static_cast<int>(std::ceil(layers / grid.Factor));
+}
+
+//------------------------------------------------------------------------------
 int vtkOpticsImageFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -155,80 +221,33 @@ int vtkOpticsImageFilter::RequestUpdateExtent(
   this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent);
   int input[6];
   this->GetNeededExtent(grid, extent, input);
-  vtkInformation* information = inputs[0]->GetInformationObject(0);
-  information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
-  vtkInformation* output = outputs->GetInformationObject(0);
-  if (volumeoptics::IsPiece(output))
+  vtkInformation* request = inputs[0]->GetInformationObject(0);
+  request->Set(SDDP::UPDATE_EXTENT(), input, 6);
+  if (this->GetNumberOfInputPieces(outputs->GetInformationObject(0)) > 1)
   {
-    const int layers = output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-    information->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      this->GetGhostLayers(grid, layers));
+    request->Set(
+      SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), this->GetGhostLevels(grid, outputs->GetInformationObject(0)));
+  }
+  else
+  {
+    request->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    request->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    request->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkOpticsImageFilter::GetGhostLayers(const ImageGrid& grid, int layersOfOutput)
-{
-  volumeoptics::Halo reach;
-  this->GetReach(grid, reach.data());
-  int largest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    int voxels = reach[axis];
-    if (this->Smoothing > 0.0)
-    {
-      voxels += volumeoptics::GaussianFilter(grid, this->Smoothing * grid.VoxelLength).GetHalo()[axis];
-    }
-    largest = std::max(largest, voxels);
-  }
-  return volumeoptics::GhostLayersOfInput(grid, layersOfOutput, largest);
-}
-
-//------------------------------------------------------------------------------
-// Of the extent to compute, what belongs to this piece of the input; of the grid, what there is of it, where
-// that is less than what is needed.
-void vtkOpticsImageFilter::LimitToPiece(
-  vtkImageData* input, vtkInformation* output, ImageGrid& grid, int extent[6])
-{
-  const int layers = output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  Extent piece = volumeoptics::OutputExtent(grid, volumeoptics::OwnExtent(input));
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent[2 * axis] = std::max(extent[2 * axis], piece[2 * axis] - layers);
-    extent[2 * axis + 1] = std::min(extent[2 * axis + 1], piece[2 * axis + 1] + layers);
-  }
-  Extent wanted;
-  std::copy(extent, extent + 6, wanted.data());
-  Extent needed;
-  this->GetNeededExtent(grid, extent, needed.data());
-  Extent held;
-  input->GetExtent(held.data());
-  if (volumeoptics::IsEmpty(piece) || volumeoptics::IsEmpty(wanted) || volumeoptics::Contains(held, needed))
-  {
-    return;
-  }
-  vtkWarningMacro(<< "A piece of the input has fewer than the " << this->GetGhostLayers(grid, layers)
-                  << " layers of ghost cells that are needed: its borders count as the volume's. Give it ghost "
-                     "cells, by vtkGhostCellsGenerator for example.");
-  grid = volumeoptics::Restricted(grid, held);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    extent[2 * axis] = std::max(extent[2 * axis], grid.Whole[2 * axis]);
-    extent[2 * axis + 1] = std::min(extent[2 * axis + 1], grid.Whole[2 * axis + 1]);
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, int& association)
+vtkDataArray* vtkOpticsImageFilter::GetChosenArray(vtkInformationVector** inputs, int& association)
 {
   association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
   const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (!scalars && name && !*name)
+  vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  if (!scalars && input && name && !*name)
   {
     association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    scalars = vtkImageData::GetData(inputs[0])->GetPointData()->GetScalars();
+    scalars = input->GetPointData()->GetScalars();
   }
   return scalars;
 }
@@ -237,7 +256,7 @@ vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, i
 vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 {
   int association;
-  vtkDataArray* scalars = this->FindScalars(inputs, association);
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
   if (!scalars || scalars->GetNumberOfTuples() == 0)
   {
     vtkErrorMacro("The input has no scalars to work on. Give it point scalars, or name an array by "
@@ -262,6 +281,73 @@ vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 }
 
 //------------------------------------------------------------------------------
+vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs)
+{
+  int association;
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
+  const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
+    association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    this->InputComponent < scalars->GetNumberOfComponents();
+  return isUsable ? scalars : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpticsImageFilter::FindScalarRange(
+  const volumeoptics::ProcessGroup& processes, vtkInformationVector** inputs, double range[2])
+{
+  volumeoptics::RangeSearch search;
+  bool isComplete = true;
+  if (vtkDataArray* scalars = this->FindScalars(inputs))
+  {
+    const volumeoptics::ImageRows rows(vtkImageData::GetData(inputs[0]), scalars, this->InputComponent);
+    search.Start(rows.GetBox(), rows.GetBox());
+    volumeoptics::Batches batches(this);
+    isComplete = search.Add(batches, rows);
+  }
+  std::copy(search.GetRange(), search.GetRange() + 2, range);
+  processes.Unite(range);
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsImageFilter::Part vtkOpticsImageFilter::GetPart(
+  const ImageGrid& whole, vtkInformation* output, vtkImageData* input)
+{
+  Part part = { whole, {}, {} };
+  this->GetExtentToCompute(whole, output, part.Computed.data());
+  part.Owned = part.Computed;
+  if (this->GetNumberOfInputPieces(output) < 2 || volumeoptics::IsEmpty(part.Computed))
+  {
+    return part;
+  }
+  const Extent requested = part.Computed;
+  const Extent owned = volumeoptics::OwnedExtent(input);
+  part.Owned = part.Computed = volumeoptics::IsEmpty(owned)
+    ? owned
+    : volumeoptics::Intersection(volumeoptics::OutputExtent(whole, owned), requested);
+  if (volumeoptics::IsEmpty(part.Owned))
+  {
+    return part;
+  }
+  const int ghosts = output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  part.Computed = volumeoptics::Grown(part.Owned, { ghosts, ghosts, ghosts }, requested);
+  Extent needed, box;
+  this->GetNeededExtent(whole, part.Computed.data(), needed.data());
+  input->GetExtent(box.data());
+  if (!volumeoptics::Contains(box, needed))
+  {
+    vtkWarningMacro("The input's piece has fewer ghost layers than the "
+      << this->GetGhostLevels(whole, output)
+      << " that are needed: at the borders between pieces the result differs from that of the whole. Put "
+         "vtkGhostCellsGenerator with that many layers before this filter.");
+    part.Grid = volumeoptics::ClippedGrid(whole, box);
+    part.Owned = volumeoptics::Intersection(part.Owned, part.Grid.Whole);
+    part.Computed = volumeoptics::Intersection(part.Computed, part.Grid.Whole);
+  }
+  return part;
+}
+
+//------------------------------------------------------------------------------
 float* vtkOpticsImageFilter::AddArray(vtkImageData* output, const char* name, int components)
 {
   vtkNew<vtkFloatArray> array;
@@ -279,14 +365,12 @@ int vtkOpticsImageFilter::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
-  ImageGrid grid = this->GetGrid(inputs);
-  Extent extent;
-  this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent.data());
-  if (input && volumeoptics::IsPiece(outputs->GetInformationObject(0)))
+  if (!input)
   {
-    this->LimitToPiece(input, outputs->GetInformationObject(0), grid, extent.data());
+    return 1;
   }
-  if (!input || volumeoptics::IsEmpty(extent))
+  Part part = this->GetPart(this->GetGrid(inputs), outputs->GetInformationObject(0), input);
+  if (volumeoptics::IsEmpty(part.Computed))
   {
     return 1;
   }
@@ -295,8 +379,9 @@ int vtkOpticsImageFilter::RequestData(
   {
     return 0;
   }
+  const ImageGrid& grid = part.Grid;
   Extent needed;
-  this->GetNeededExtent(grid, extent.data(), needed.data());
+  this->GetNeededExtent(grid, part.Computed.data(), needed.data());
   const volumeoptics::ImageRows rows(input, scalars, this->InputComponent);
   if (!volumeoptics::Contains(rows.GetBox(), needed))
   {
@@ -304,7 +389,7 @@ int vtkOpticsImageFilter::RequestData(
                   "filter before it.");
     return 0;
   }
-  output->SetExtent(extent.data());
+  output->SetExtent(part.Computed.data());
   output->SetSpacing(&grid.Spacing.x);
   output->SetOrigin(input->GetOrigin());
   output->SetDirectionMatrix(input->GetDirectionMatrix());
@@ -313,6 +398,10 @@ int vtkOpticsImageFilter::RequestData(
   {
     output->Initialize();
     return this->AbortExecute;
+  }
+  if (this->GetNumberOfInputPieces(outputs->GetInformationObject(0)) > 1)
+  {
+    output->GenerateGhostArray(part.Owned.data());
   }
   if (this->PassInputArrays && this->IsOnInputGrid())
   {
@@ -325,6 +414,7 @@ int vtkOpticsImageFilter::RequestData(
 void vtkOpticsImageFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "ResolutionFactor: " << this->ResolutionFactor << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "InputComponent: " << this->InputComponent << "\n";

@@ -12,10 +12,14 @@
  * The output has the new arrays, and the input's only with PassInputArrays.
  *
  * Filters stream: a piece requests its extent and the neighbourhood that it needs, and pieces are
- * bit for bit parts of the whole. In a distributed program, where pieces go by number, they ask for as many
- * layers of ghost cells as they need; where the source gives fewer, a warning says so, and the piece's
- * border counts as the volume's. They run on all threads (vtkSMPTools), report progress from the
+ * bit for bit parts of the whole. They run on all threads (vtkSMPTools), report progress from the
  * calling thread and look for AbortExecute about every 30 ms; an aborted filter has an empty output.
+ *
+ * Distributed data: a numbered piece (UpdatePiece(), and all of ParaView) follows the piece of the input,
+ * which is asked for the ghost layers that the neighbourhood needs; ghost layers that are asked of
+ * the output are computed and marked. Pieces are bit for bit parts of the whole. Where the input has
+ * fewer layers than it was asked for, a warning says how many, and the piece's edge is that of a volume.
+ * A process whose piece is empty has an empty output.
  *
  * A number outside its range is set to the nearest one of the range, with a warning; a choice that does
  * not exist leaves the former one, with a warning. An image without the array gives an error and an
@@ -26,14 +30,17 @@
 #define vtkOpticsImageFilter_h
 
 #include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h"       // for the controller
 #include "vtkVolumeOpticsModule.h" // for export macro
 
 class vtkDataArray;
+class vtkMultiProcessController;
 
 namespace volumeoptics
 {
 class Batches;
 class ImageRows;
+class ProcessGroup;
 struct ImageGrid;
 }
 
@@ -86,6 +93,17 @@ public:
 
   ///@{
   /**
+   * The processes that share the volume, each with the piece of its own number of as many pieces.
+   * Filters that need numbers of the whole volume (the scalar range, a histogram) find them together:
+   * then all processes must update the filter, as in any parallel filter of VTK. Blocks of composite data stand
+   * alone. Default: the global controller at the filter's construction, none in programs of one process.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  ///@{
+  /**
    * Whether the output also has the input's point arrays, so that it can be drawn; with a ResolutionFactor
    * of 1 alone. Default off.
    */
@@ -95,8 +113,8 @@ public:
   ///@}
 
 protected:
-  vtkOpticsImageFilter() = default;
-  ~vtkOpticsImageFilter() override = default;
+  vtkOpticsImageFilter();
+  ~vtkOpticsImageFilter() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -112,6 +130,33 @@ protected:
    * overridden.
    */
   virtual void GetExtentToCompute(const volumeoptics::ImageGrid& grid, vtkInformation* output, int extent[6]);
+
+  /**
+   * Pieces that the input is asked for: as many as the output, unless overridden.
+   */
+  virtual int GetNumberOfInputPieces(vtkInformation* output);
+
+  /**
+   * The processes that share the update of this output.
+   */
+  volumeoptics::ProcessGroup GetProcesses(vtkInformation* output);
+
+  /**
+   * Ghost layers of the input around a numbered piece.
+   */
+  int GetGhostLevels(const volumeoptics::ImageGrid& grid, vtkInformation* output);
+
+  /**
+   * The array to work on, if it has what it takes.
+   */
+  vtkDataArray* FindScalars(vtkInformationVector** inputs);
+
+  /**
+   * The range of the finite values of the input's data, joined with that of the other processes; (1, 0)
+   * where there is none. False on abort.
+   */
+  bool FindScalarRange(
+    const volumeoptics::ProcessGroup& processes, vtkInformationVector** inputs, double range[2]);
 
   /**
    * Voxels of the output's grid around a voxel whose scalars it needs, smoothing left out.
@@ -140,12 +185,6 @@ protected:
   void GetNeededExtent(const volumeoptics::ImageGrid& grid, const int output[6], int input[6]);
 
   /**
-   * The array to work on, or nullptr. An empty name, which ParaView passes where it does not know the input's
-   * arrays yet, stands for the active scalars of the points.
-   */
-  vtkDataArray* FindScalars(vtkInformationVector** inputs, int& association);
-
-  /**
    * The point array to work on; without one, nullptr and an error.
    */
   vtkDataArray* GetScalars(vtkInformationVector** inputs);
@@ -155,6 +194,7 @@ protected:
    */
   static float* AddArray(vtkImageData* output, const char* name, int components);
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   double ResolutionFactor = 1.0;
   double Smoothing = 0.0;
   int InputComponent = 0;
@@ -162,9 +202,11 @@ protected:
   bool PassInputArrays = false;
 
 private:
-  int GetGhostLayers(const volumeoptics::ImageGrid& grid, int layersOfOutput);
-  void LimitToPiece(vtkImageData* input, vtkInformation* output, volumeoptics::ImageGrid& grid, int extent[6]);
-
+  struct Part;
+  // An empty name, which ParaView passes where it does not know the input's arrays yet, stands for the active
+  // scalars of the points.
+  vtkDataArray* GetChosenArray(vtkInformationVector** inputs, int& association);
+  Part GetPart(const volumeoptics::ImageGrid& whole, vtkInformation* output, vtkImageData* input);
   vtkOpticsImageFilter(const vtkOpticsImageFilter&) = delete;
   void operator=(const vtkOpticsImageFilter&) = delete;
 };

@@ -26,7 +26,8 @@ set(rendering_classes
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty
-  vtkPreIntegratedTable)
+  vtkPreIntegratedTable
+  vtkVisibilitySweep)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -41,18 +42,22 @@ set(filter_sources
   HarmonicBasis
   ImageGrid
   LineAccumulator
+  LineExchange
   LineInput
+  LineKernel
   LineLighting
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
-  PieceExtent
+  OwnedExtent
   PrincipalCurvature
+  ProcessGroup
   RangeSearch
   SamplePattern
   ScalarSource
   SobelStencil
   SphereDirections
+  TangentTable
   VoxelEvaluation)
 set(rendering_sources
   AttenuatedStretch
@@ -81,14 +86,21 @@ set(rendering_sources
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  LineAtlas
+  LineEvaluation
+  LineTextures
+  LineVolume
+  LineVoxelTerm
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
+  OcclusionTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsMapperKnobs
   OpticsScene
   OpticsShaderTable
+  OpticsVisibility
   PairCounts
   PreIntegratedTexture
   PreIntegration
@@ -98,6 +110,10 @@ set(rendering_sources
   ReflectanceTerm
   ScalarPair
   SceneNeeds
+  SweepGrid
+  SweepProgram
+  SweepTarget
+  SweepViews
   TermTexture
   TetrahedraVertices
   TetrahedralGrid

@@ -51,7 +51,7 @@ endif ()
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
-  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
+  ParallelCore RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
   RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering
   ViewsContext2D jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
@@ -88,6 +88,7 @@ endif ()
 add_subdirectory(Module/Plugin)
 include(Module/Package.cmake)
 add_subdirectory(Examples)
+include(Module/DebianPackage.cmake)
 
 if (BUILD_TESTING)
   include(Testing/Standalone.cmake)

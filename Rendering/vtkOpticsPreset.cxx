@@ -72,20 +72,22 @@ bool SetScatteringAnisotropy(Property* property, const Json::Value& value)
   return value.isNumeric();
 }
 
-bool SetSpecularFromExtinction(Property* property, const Json::Value& value)
+template <void (Property::*Set)(bool)>
+bool SetSwitch(Property* property, const Json::Value& value)
 {
   if (value.isBool())
   {
-    property->SetSpecularFromExtinction(value.asBool());
+    (property->*Set)(value.asBool());
   }
   return value.isBool();
 }
 
-bool SetScalarOpacityUnitInterval(Property* property, const Json::Value& value)
+template <void (Property::*Set)(double)>
+bool SetNumber(Property* property, const Json::Value& value)
 {
   if (value.isNumeric())
   {
-    property->SetScalarOpacityUnitInterval(value.asDouble());
+    (property->*Set)(value.asDouble());
   }
   return value.isNumeric();
 }
@@ -94,6 +96,15 @@ bool HasNumbers(const Json::Value& list, unsigned int count)
 {
   return list.isArray() && list.size() == count &&
     std::all_of(list.begin(), list.end(), [](const Json::Value& item) { return item.isNumeric(); });
+}
+
+bool SetAmbientColor(Property* property, const Json::Value& value)
+{
+  if (HasNumbers(value, 3))
+  {
+    property->SetAmbientColor(value[0].asDouble(), value[1].asDouble(), value[2].asDouble());
+  }
+  return HasNumbers(value, 3);
 }
 
 bool IsIsosurface(const Json::Value& surface)
@@ -136,7 +147,7 @@ const Setting Settings[] = {
   { "Glossiness", "a number, with ReflectanceModel BlinnPhong, Ward or Lafortune", SetGlossiness },
   { "AnisotropyScale", "a number, with ReflectanceModel Ward or Lafortune", SetAnisotropyScale },
   { "ScatteringAnisotropy", "a number in [-1, 1]", SetScatteringAnisotropy },
-  { "SpecularFromExtinction", "true or false", SetSpecularFromExtinction },
+  { "SpecularFromExtinction", "true or false", SetSwitch<&Property::SetSpecularFromExtinction> },
   { "FrameSource", "\"Covariance\" or \"Curvature\"",
     SetByName<Property::Curvature + 1, &Property::SetFrameSource, &Property::GetFrameSourceAsString> },
   { "IntegrationSpace", "\"Physical\" or \"Data\"",
@@ -144,7 +155,8 @@ const Setting Settings[] = {
   { "Classification", "\"Post\" or \"PreIntegrated\"",
     SetByName<Property::PreIntegrated + 1, &Property::SetClassification,
       &Property::GetClassificationAsString> },
-  { "ScalarOpacityUnitInterval", "a number of at least 0", SetScalarOpacityUnitInterval },
+  { "ScalarOpacityUnitInterval", "a number of at least 0",
+    SetNumber<&Property::SetScalarOpacityUnitInterval> },
   { "Isosurfaces",
     "a list of {\"Value\": number, \"Opacity\": number in [0, 1], \"Color\": [red, green, blue]}, the color "
     "optional",
@@ -154,6 +166,11 @@ const Setting Settings[] = {
   { "TransmittedLight", "\"Off\", \"Diffuse\" or \"DiffuseAndSpecular\"",
     SetByName<Property::DiffuseAndSpecular + 1, &Property::SetTransmittedLight,
       &Property::GetTransmittedLightAsString> },
+  { "Occlusion", "true or false", SetSwitch<&Property::SetOcclusion> },
+  { "OcclusionAngle", "a number in [0, 80]", SetNumber<&Property::SetOcclusionAngle> },
+  { "AmbientColor", "[red, green, blue], each in [0, 1]", SetAmbientColor },
+  { "Shadows", "true or false", SetSwitch<&Property::SetShadows> },
+  { "ShadowAngle", "a number in [0, 80]", SetNumber<&Property::SetShadowAngle> },
 };
 
 std::string NamesOfSettings()

@@ -10,7 +10,8 @@
  *   "SpecularFromExtinction": true, "FrameSource": "Covariance",
  *   "IntegrationSpace": "Data", "Classification": "PreIntegrated", "ScalarOpacityUnitInterval": 10,
  *   "Isosurfaces": [{ "Value": 300, "Opacity": 0.4, "Color": [0.9, 0.8, 0.7] }, { "Value": -300, "Opacity": 0.1 }],
- *   "Silhouette": "Exact", "TransmittedLight": "Diffuse" }
+ *   "Silhouette": "Exact", "TransmittedLight": "Diffuse",
+ *   "Occlusion": true, "OcclusionAngle": 60, "AmbientColor": [1, 1, 1], "Shadows": true, "ShadowAngle": 5 }
  * @endcode
  * Glossiness and AnisotropyScale are those of the file's reflectance model, wherever in the file it
  * stands. Isosurfaces take the place of those that the property has; one without a colour has that of the

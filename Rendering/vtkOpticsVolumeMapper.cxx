@@ -8,9 +8,12 @@
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
 #include "LightingTransferFunctionTerm.h"
+#include "LineVoxelTerm.h"
 #include "MultiSampleTerm.h"
+#include "OcclusionTerm.h"
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
+#include "SceneNeeds.h"
 #include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -20,6 +23,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -54,8 +58,12 @@ public:
   IntegrationTerm Integration{ this->Frames };
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
+  LineVoxelTerm Lines;
+  OcclusionTerm Occlusion;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines,
+    &this->Occlusion };
+  vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of lines whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -129,16 +137,52 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
     this->Say("The renderer has more lights than the " + std::to_string(LightLimit::Largest) +
       " that this VTK's volume shader holds: the last ones are left out.");
   }
-  const OpticsScene scene = MakeOpticsScene(this, renderer, volume);
+  OpticsScene scene = MakeOpticsScene(this, renderer, volume);
+  const bool hasLines = scene.Scalars && HasLineVoxels(scene);
+  if (hasLines && !scene.Optics)
+  {
+    scene.Optics = this->Terms->PlainOptics;
+  }
   const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
+  if (active.empty() && hasLines)
+  {
+    return; // a picture of the bricks' numbers would mean nothing
+  }
   if (active.empty())
   {
     this->Superclass::GPURender(renderer, volume);
     return;
   }
   this->Terms->Pass->Attach(scene, active);
-  this->Superclass::GPURender(renderer, volume);
+  if (hasLines)
+  {
+    this->RenderLines(renderer, volume);
+  }
+  else
+  {
+    this->Superclass::GPURender(renderer, volume);
+  }
   this->Terms->Pass->Detach();
+}
+
+//------------------------------------------------------------------------------
+// VTK would take its sample distance from the bricks, which are the image's cells.
+void vtkOpticsVolumeMapper::RenderLines(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->ComputeReductionFactor(volume->GetAllocatedRenderTime());
+  const double reduction = this->ReductionFactor;
+  const auto distance = static_cast<float>(this->GetFrameSampleDistance(volume));
+  const vtkTypeBool isAdjusted = this->AutoAdjustSampleDistances;
+  const vtkTypeBool isLocked = this->LockSampleDistanceToInputSpacing;
+  const float own = this->SampleDistance;
+  this->AutoAdjustSampleDistances = 0;
+  this->LockSampleDistanceToInputSpacing = 0;
+  this->SampleDistance = distance;
+  this->Superclass::GPURender(renderer, volume);
+  this->AutoAdjustSampleDistances = isAdjusted;
+  this->LockSampleDistanceToInputSpacing = isLocked;
+  this->SampleDistance = own;
+  this->ReductionFactor = reduction;
 }
 
 //------------------------------------------------------------------------------
@@ -231,6 +275,38 @@ void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputConnection(vtkAlgorithmOutput* output)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(output);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputData(vtkImageData* voxels)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(voxels);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+// Of the finer ones, where a block replaces lines.
+void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  volumeoptics::GetVoxelSpacing(image, spacing);
+  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->Terms->Lines.GetBlock() : nullptr;
+  double ofBlock[3] = { spacing[0], spacing[1], spacing[2] };
+  if (block)
+  {
+    volumeoptics::GetVoxelSpacing(block, ofBlock);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = std::min(std::abs(spacing[axis]), std::abs(ofBlock[axis]));
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
 {
   return this->Terms->Frames.Provider.Sobel;
@@ -306,6 +382,35 @@ void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
   const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
   range[0] = loaded[0];
   range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetNumberOfBlocks()
+{
+  const auto& parts = this->AssembledInputs[0].Texture->GetPartitions();
+  return parts[0] * parts[1] * parts[2];
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkOpticsVolumeMapper::GetVolumeTexture()
+{
+  return this->AssembledInputs[0].Texture->GetCurrentBlock()->TextureObject;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetTextureToData(double matrix[16])
+{
+  vtkVolumeTexture* texture = this->AssembledInputs[0].Texture;
+  double pointToCell[16];
+  vtkMatrix4x4::Invert(texture->CellToPointMatrix->GetData(), pointToCell);
+  vtkMatrix4x4::Multiply4x4(texture->GetCurrentBlock()->TextureToDataset->GetData(), pointToCell, matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetAverageIPScalarRange(double range[2])
+{
+  this->Superclass::GetAverageIPScalarRange(range);
+  this->Terms->Pass->BeforeDraw();
 }
 
 //------------------------------------------------------------------------------

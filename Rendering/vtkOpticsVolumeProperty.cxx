@@ -247,6 +247,7 @@ void vtkOpticsVolumeProperty::DeepCopy(vtkVolumeProperty* source)
   this->Silhouette = optics->Silhouette;
   this->TransmittedLight = optics->TransmittedLight;
   this->CopyLightingTransferFunction(optics);
+  this->CopyVisibility(optics);
   this->Modified();
 }
 
@@ -297,4 +298,5 @@ void vtkOpticsVolumeProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GradientStepLength: " << this->GradientStepLength << "\n";
   os << indent << "LightScale: " << this->LightScale << "\n";
   os << indent << "HybridNormals: " << (this->HybridNormals ? "on" : "off") << "\n";
+  this->PrintVisibility(os, indent);
 }

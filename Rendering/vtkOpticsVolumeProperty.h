@@ -16,7 +16,7 @@
  * A number outside its range is set to the nearest one of the range, with a warning; a choice that
  * does not exist, or a number that is NaN, leaves the setting as it is, with a warning.
  *
- * Sources: [Ament2015], [Kraus2005], [Lum2004], see Module/References.md.
+ * Sources: [Ament2015], [Kraus2005], [Lum2004], [Schott2009], see Module/References.md.
  *
  * @sa vtkOpticsVolumeMapper
  */
@@ -301,6 +301,58 @@ public:
   vtkBooleanMacro(HybridNormals, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether ambient light is what comes, past the volume in front of a sample, out of a cone about the
+   * direction to the viewer: creases and what lies behind something grow dark. With Shade on it is the
+   * ambient part that is darkened, and only as far as Ambient (or a lighting transfer function) weighs it;
+   * with Shade off it is the whole colour. Default off. [Schott2009] section 3.
+   */
+  vtkGetMacro(Occlusion, bool);
+  vtkSetMacro(Occlusion, bool);
+  vtkBooleanMacro(Occlusion, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Half of the cone's opening angle, in degrees; in [0, 80], default 60. 0: the line of sight alone.
+   * [Schott2009] theta of eq. 6.
+   */
+  vtkGetMacro(OcclusionAngle, double);
+  void SetOcclusionAngle(double degrees);
+  ///@}
+
+  ///@{
+  /**
+   * Colour of the ambient light, each of red, green and blue in [0, 1]; default white. It colours what
+   * Occlusion darkens, with Occlusion off, too.
+   */
+  vtkGetVector3Macro(AmbientColor, double);
+  void SetAmbientColor(double red, double green, double blue);
+  void SetAmbientColor(const double rgb[3]) { this->SetAmbientColor(rgb[0], rgb[1], rgb[2]); }
+  ///@}
+
+  ///@{
+  /**
+   * With Shade on: whether the volume, and the opaque geometry in its renderer, cast shadows into the
+   * volume, from each light as much as its shadow attenuation says (vtkLight::SetShadowAttenuation();
+   * 1, its default, is a full shadow, 0 none). With every reflectance model. Default off.
+   * [Ament2015] section 5.
+   */
+  vtkGetMacro(Shadows, bool);
+  vtkSetMacro(Shadows, bool);
+  vtkBooleanMacro(Shadows, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Half of the angle under which lights appear from the volume, in degrees; in [0, 80]. Above 0 shadows
+   * are soft. Default 0, hard shadows.
+   */
+  vtkGetMacro(ShadowAngle, double);
+  void SetShadowAngle(double degrees);
+  ///@}
+
   /** The latest change of this object and of the functions it refers to. */
   vtkMTimeType GetMTime() override;
 
@@ -323,6 +375,8 @@ private:
   int InsertIsosurface(const Isosurface& surface);
   bool HasIsosurface(int index);
   void CopyLightingTransferFunction(vtkOpticsVolumeProperty* source);
+  void CopyVisibility(vtkOpticsVolumeProperty* source);
+  void PrintVisibility(ostream& os, vtkIndent indent);
 
   int ReflectanceModel = VTK;
   double Glossiness[NumberOfReflectanceModels] = { 0.0, 0.0, 30.0, 0.2, 30.0 };
@@ -341,6 +395,11 @@ private:
   double GradientStepLength = 1.0;
   double LightScale = 1.0;
   bool HybridNormals = false;
+  bool Occlusion = false;
+  double OcclusionAngle = 60.0;
+  double AmbientColor[3] = { 1.0, 1.0, 1.0 };
+  bool Shadows = false;
+  double ShadowAngle = 0.0;
 };
 
 #endif

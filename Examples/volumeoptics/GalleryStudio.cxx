@@ -6,6 +6,7 @@
 #include "GalleryField.h"
 #include "VolumeScene.h"
 #include "StructuralScore.h"
+#include "TracedPicture.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -88,6 +89,14 @@ PictureResult GalleryStudio::DrawUnscored(
   const std::string& name, const std::string& field, const PictureSettings& picture)
 {
   return this->DrawOnly("images/" + name + ".png", field, picture, Timed);
+}
+
+PictureResult GalleryStudio::Keep(const std::string& name)
+{
+  PictureResult result;
+  result.File = "images/" + name + ".png";
+  WriteTracedPicture(name, this->Folder + "/" + result.File);
+  return result;
 }
 
 PictureResult GalleryStudio::DrawOnly(

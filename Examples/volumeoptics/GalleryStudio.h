@@ -43,6 +43,8 @@ public:
   // Without the reference, for pictures that the score says nothing about.
   PictureResult DrawUnscored(
     const std::string& name, const std::string& field, const PictureSettings& picture);
+  // A picture that was traced by rays and is kept with the program.
+  PictureResult Keep(const std::string& name);
   // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
   std::string GetRendererName() const;
   int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }

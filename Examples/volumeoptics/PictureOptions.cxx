@@ -26,6 +26,27 @@ Only opacity and color are required. "isolate" keeps the largest region above a 
 opacity is per unitInterval of the data's values; the options of the same name go before the file.
 Presets cranium, bone, muscle and skin expect CT in Hounsfield units.)";
 
+CLI::Validator IsColor()
+{
+  return CLI::Validator(
+    [](const std::string& text) {
+      vtkNew<vtkNamedColors> colors;
+      return colors->ColorExists(text) ||
+          (text.size() == 7 && text[0] == '#' &&
+            text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
+        ? std::string()
+        : "'" + text + "' is neither a colour's name nor #rrggbb";
+    },
+    "COLOR");
+}
+
+std::array<double, 3> ReadColor(const std::string& text)
+{
+  vtkNew<vtkNamedColors> colors;
+  const vtkColor4ub color = text[0] == '#' ? colors->HTMLColorToRGBA(text) : colors->GetColor4ub(text);
+  return { color[0] / 255.0, color[1] / 255.0, color[2] / 255.0 };
+}
+
 void AddOptics(CLI::App& command, OpticsSettings& optics)
 {
   const auto group = "Reflectance";
@@ -117,6 +138,31 @@ void AddLighting(CLI::App& command, PictureOptions& options)
     ->group(group);
 }
 
+void AddVisibility(CLI::App& command, PictureOptions& options)
+{
+  const auto group = "Occlusion and shadows";
+  VisibilitySettings& visibility = options.Picture.Visibility;
+  const CLI::Range halfAngle(0.0, 80.0);
+  command
+    .add_option("--occlusion", visibility.OcclusionAngle,
+      "Ambient light out of a cone about the line of sight, past what lies in front; half angle in degrees")
+    ->check(halfAngle)
+    ->group(group);
+  command.add_option("--ambient-color", options.AmbientColorText, "Colour of ambient light, name or #rrggbb")
+    ->check(IsColor())
+    ->capture_default_str()
+    ->group(group);
+  CLI::Option* shadows =
+    command.add_flag("--shadows", visibility.Shadows, "Shadows of all lights in the volume")->group(group);
+  command
+    .add_option("--shadow-angle", visibility.ShadowAngle,
+      "Half angle under which lights appear, degrees; above 0: soft shadows")
+    ->check(halfAngle)
+    ->capture_default_str()
+    ->needs(shadows)
+    ->group(group);
+}
+
 void AddView(CLI::App& command, PictureOptions& options)
 {
   const auto group = "View";
@@ -157,16 +203,7 @@ void AddView(CLI::App& command, PictureOptions& options)
     ->check(CLI::PositiveNumber)
     ->group(group);
   command.add_option("--background", options.BackgroundText, "Name (white, black, slategray ...) or #rrggbb")
-    ->check(CLI::Validator(
-      [](const std::string& text) {
-        vtkNew<vtkNamedColors> colors;
-        return colors->ColorExists(text) ||
-            (text.size() == 7 && text[0] == '#' &&
-              text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
-          ? std::string()
-          : "'" + text + "' is neither a colour's name nor #rrggbb";
-      },
-      "COLOR"))
+    ->check(IsColor())
     ->capture_default_str()
     ->group(group);
 }
@@ -197,6 +234,7 @@ void PictureOptions::AddTo(CLI::App& command)
   AddOptics(command, this->Picture.Optics);
   AddAmbient(command, this->Picture.Ambient);
   AddLighting(command, *this);
+  AddVisibility(command, *this);
   AddView(command, *this);
   command.add_option("--quality", this->Picture.Quality, "Preset of time against accuracy")
     ->check(CLI::IsMember({ "custom", "draft", "balanced", "reference" }))
@@ -229,12 +267,17 @@ void PictureOptions::CompleteView()
     this->Picture.Lights[0].Azimuth = this->LightValues[0];
     this->Picture.Lights[0].Elevation = this->LightValues[1];
   }
-  vtkNew<vtkNamedColors> colors;
-  const vtkColor4ub color = this->BackgroundText[0] == '#' ? colors->HTMLColorToRGBA(this->BackgroundText)
-                                                           : colors->GetColor4ub(this->BackgroundText);
-  for (int i = 0; i < 3; ++i)
+  this->Picture.Background = ReadColor(this->BackgroundText);
+  this->Picture.Visibility.AmbientColor = ReadColor(this->AmbientColorText);
+}
+
+void PictureOptions::Check() const
+{
+  const TransferFunction& function = this->Picture.Function;
+  CheckIntegration(function.Integration, function.Shade);
+  if (this->Picture.Visibility.Shadows && !function.Shade)
   {
-    this->Picture.Background[i] = color[i] / 255.0;
+    throw UserError("Shadows need lights. Set \"shade\": true in the transfer function.");
   }
 }
 
@@ -261,7 +304,7 @@ Volume PictureOptions::Load()
     this->Picture.Function = preset.empty() ? FromData(volume.Image) : Preset(preset);
   }
   this->Integration.Replace(this->Picture.Function.Integration);
-  CheckIntegration(this->Picture.Function.Integration, this->Picture.Function.Shade);
+  this->Check();
   if (this->Picture.Function.HasIsolate)
   {
     const Progress isolating("Isolating the largest region");

@@ -27,6 +27,7 @@ struct PictureOptions
   std::string LightingFile;
   std::string SizeText = "1024x1024";
   std::string BackgroundText = "white";
+  std::string AmbientColorText = "white";
   std::vector<double> CameraValues; // azimuth, elevation, roll, zoom
   std::vector<double> LightValues;  // azimuth, elevation
   bool Headless = false;
@@ -36,6 +37,8 @@ struct PictureOptions
   void AddViewTo(CLI::App& command);
   // Completes Picture by what the view's options say.
   void CompleteView();
+  // Throws UserError, with the remedy, where settings contradict each other.
+  void Check() const;
   // Reads the file and completes Picture by what depends on it. Throws UserError.
   Volume Load();
   // The option that names LightingFile.

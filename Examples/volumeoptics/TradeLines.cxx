@@ -72,8 +72,8 @@ std::vector<Setting> Settings(double radius)
     settings.push_back({ "projection", directions == 0 ? "analytic" : std::to_string(directions),
       Spirals(radius), directions });
   }
-  settings.push_back({ "opacity", "exact product", Spirals(radius) });
-  settings.back().Lines.ExactProduct = true;
+  settings.push_back({ "opacity", "thin lines", Spirals(radius) });
+  settings.back().Lines.ExactProduct = false;
   settings.push_back({ "view directions", "per block", Spirals(radius), 0, true });
   return settings;
 }

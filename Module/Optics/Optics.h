@@ -35,6 +35,8 @@ using namespace glm;
 #include "HybridNormal.glsl"
 #include "SphericalHarmonics.glsl"
 #include "CylinderLighting.glsl"
+#include "Visibility.glsl"
+#include "LineVoxel.glsl"
 #undef float
 }
 }

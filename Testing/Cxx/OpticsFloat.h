@@ -36,6 +36,8 @@ using namespace glm;
 #include "OpticsFloat/HybridNormal.glsl"
 #include "OpticsFloat/SphericalHarmonics.glsl"
 #include "OpticsFloat/CylinderLighting.glsl"
+#include "OpticsFloat/Visibility.glsl"
+#include "OpticsFloat/LineVoxel.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }
 }

@@ -237,6 +237,48 @@ vec4 EvaluateLines(int function, FunctionInput i)
   return TwoNumbers(DepthBounds(i.p.x, i.p.y)); // 45
 }
 
+vec4 OneRay(ConeRay ray)
+{
+  return vec4(ray.slope.x, ray.slope.y, ray.cosine, 0.0);
+}
+
+vec4 EvaluateVisibility(int function, FunctionInput i)
+{
+  if (function == 46)
+  {
+    return OneRay(ConeDirection(int(i.p.x), int(i.p.y), i.p.z));
+  }
+  if (function == 47)
+  {
+    return OneNumber(IsOnDisk(int(i.p.x), int(i.p.y)) ? 1.0 : 0.0);
+  }
+  if (function == 48)
+  {
+    return OneRay(DiskDirection(int(i.p.x), int(i.p.y), i.p.z));
+  }
+  if (function == 49)
+  {
+    return OneNumber(SolidAngleOfDisk(i.p.x));
+  }
+  if (function == 50)
+  {
+    return OneNumber(StretchTransmittance(i.p.x, i.p.y));
+  }
+  vec2 place = vec2(i.normal.x, i.normal.y);
+  return TwoNumbers(PlaceOnSlice(place, vec2(i.major.x, i.major.y), i.p.x, i.p.y, i.p.z)); // 51
+}
+
+// Depths and scales; light, its mean, least and largest colour.
+vec4 EvaluateLineVoxel(int function, FunctionInput i)
+{
+  if (function == 52)
+  {
+    return OneNumber(DepthOfLines(i.p.x, i.normal.x, i.p.y, i.p.z, i.major.x, i.major.y));
+  }
+  vec3 color = ColorOfLines(i.normal, i.p.x, i.toLight, i.p.y, i.toViewer, i.major); // 53
+  return vec4(color.x, color.y, color.z, 0.0);
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
@@ -255,5 +297,13 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateInDataSpace(function, i);
   }
-  return function < 40 ? EvaluateScalarPair(function, i) : EvaluateLines(function, i);
+  if (function < 40)
+  {
+    return EvaluateScalarPair(function, i);
+  }
+  if (function < 46)
+  {
+    return EvaluateLines(function, i);
+  }
+  return function < 52 ? EvaluateVisibility(function, i) : EvaluateLineVoxel(function, i);
 }

@@ -93,6 +93,26 @@ void CheckIntegration(const std::string& file)
     ReadText(file, R"({ "ScalarOpacityUnitInterval": "10" })"), "ScalarOpacityUnitInterval", "at least 0");
 }
 
+void CheckVisibility(const std::string& file)
+{
+  Result all = ReadText(file,
+    R"({ "Occlusion": true, "OcclusionAngle": 45, "AmbientColor": [0.25, 0.5, 1],
+         "Shadows": true, "ShadowAngle": 2.5 })");
+  vtkOpticsVolumeProperty* property = all.Property;
+  check.That(all.Warnings.empty() && all.IsRead, "every setting of visibility is read: " + all.Warnings);
+  check.That(property->GetOcclusion() && property->GetOcclusionAngle() == 45.0, "occlusion");
+  check.That(property->GetShadows() && property->GetShadowAngle() == 2.5, "shadows");
+  const double* color = property->GetAmbientColor();
+  check.That(color[0] == 0.25 && color[1] == 0.5 && color[2] == 1.0, "ambient colour");
+
+  CheckWarning(ReadText(file, R"({ "Occlusion": 60 })"), "Occlusion", "true or false");
+  CheckWarning(ReadText(file, R"({ "OcclusionAngle": 90 })"), "OcclusionAngle", "[0, 80]");
+  CheckWarning(ReadText(file, R"({ "OcclusionAngle": true })"), "OcclusionAngle", "[0, 80]");
+  CheckWarning(ReadText(file, R"({ "AmbientColor": [1, 1] })"), "AmbientColor", "[red, green, blue]");
+  CheckWarning(ReadText(file, R"({ "Shadows": "on" })"), "Shadows", "true or false");
+  CheckWarning(ReadText(file, R"({ "ShadowAngle": "5" })"), "ShadowAngle", "[0, 80]");
+}
+
 // One isosurface that is not understood leaves all of the list out.
 void CheckBrokenIsosurfaces(const std::string& file)
 {
@@ -134,6 +154,7 @@ int TestOpticsPreset(int argc, char* argv[])
   CheckWarning(ReadText(file, R"({ "ScatteringAnisotropy": "g" })"), "ScatteringAnisotropy", "[-1, 1]");
 
   CheckIntegration(file);
+  CheckVisibility(file);
   CheckBrokenIsosurfaces(file);
 
   std::ofstream(file) << R"({ "ReflectanceModel": "Phong" })";

@@ -175,6 +175,33 @@ const std::vector<TestedFunction>& TestedFunctions()
         return std::max(double(c.P.x), 0.0) * std::max(1.0, 1.0 / std::max(across, 1e-3));
       },
       4.0, 16.0 },
+    // the azimuth takes two roundings, of the angle and of the product; 1 - coneCosine is exact
+    { "ConeDirection",
+      [](const FunctionCase& c, const glm::dvec4& value) {
+        return LargestOf(value) * (4.0 + optics::GoldenAngle * c.P.x);
+      },
+      2.0, 4.0 },
+    { "IsOnDisk", one, 0.0, 0.0 },
+    { "DiskDirection", relative, 4.0, 12.0 },
+    { "SolidAngleOfDisk", relative, 2.0, 4.0 },
+    // a depth's own rounding is x exp(-x) < 1; with -ln(1 - a) as above, whose two digits are lost near a = 0.01
+    { "StretchTransmittance", one, 40.0, 160.0 },
+    { "PlaceOnSlice",
+      [](const FunctionCase& c, const glm::dvec4&) {
+        return (std::abs(c.Normal.x * c.P.y) + std::abs(c.Normal.y * c.P.y) + std::abs(c.Major.x * c.P.x) +
+                 std::abs(c.Major.y * c.P.x)) /
+          c.P.z;
+      },
+      3.0, 8.0 },
+    // depth and bounds as above, times the radius; -ln(1 - s (1 - exp(-x))) takes the rounding of what is left of 1
+    { "DepthOfLines",
+      [](const FunctionCase& c, const glm::dvec4& value) {
+        const double bounds = 10.0 * std::max(double(c.P.y), 0.0) + std::abs(double(c.Normal.x));
+        const double left = c.Major.y < 1.0f ? std::max(1.0 - double(c.Major.y), std::exp(-value.x)) : 1.0;
+        return bounds * c.Major.x + 1.0 / left * (value.x > 0.0 ? 1.0 : 0.0);
+      },
+      4.0, 16.0 },
+    { "ColorOfLines", relative, 4.0, 8.0 },
   };
   return functions;
 }

@@ -31,6 +31,14 @@ def check_property():
     assert not optics.GetSpecularFromExtinction()
     optics.SetScatteringAnisotropy(0.25)
     assert optics.GetScatteringAnisotropy() == 0.25
+    optics.OcclusionOn()
+    optics.SetOcclusionAngle(45.0)
+    optics.SetAmbientColor(0.5, 0.75, 1.0)
+    optics.ShadowsOn()
+    optics.SetShadowAngle(5.0)
+    assert optics.GetOcclusion() and optics.GetShadows()
+    assert optics.GetOcclusionAngle() == 45.0 and optics.GetShadowAngle() == 5.0
+    assert optics.GetAmbientColor() == (0.5, 0.75, 1.0)
     volume = vtkVolume()
     volume.SetProperty(optics)
     assert volume.GetProperty() is optics

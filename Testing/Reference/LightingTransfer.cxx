@@ -148,7 +148,8 @@ Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const 
     }
   }
   const double fade = std::abs(coefficients.side);
-  const Vector radiance = color * (coefficients.ambient + coefficients.diffuse * fade * diffuse) +
+  const Vector radiance =
+    color * (coefficients.ambient * AmbientLight(scene, sample) + coefficients.diffuse * fade * diffuse) +
     coefficients.specular * fade * specular;
   return glm::min(radiance, LargestRadiance);
 }

@@ -18,6 +18,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -86,6 +87,7 @@ struct Light
   double coneAngle = 180.0;                 // half angle in degrees; above 90 there is no cone
   double exponent = 1.0;
   Vector attenuation = Vector(1.0, 0.0, 0.0); // constant, linear, quadratic; per world length
+  double shadowAttenuation = 1.0;             // of its light, in a full shadow
   Vector ambient = Vector(0.0);               // colours times intensity
   Vector diffuse = Vector(1.0);
   Vector specular = Vector(1.0);
@@ -141,6 +143,12 @@ struct Scene
   std::vector<Isosurface> isosurfaces;
   Silhouette silhouette = Silhouette::Off; // of surfaces, and of everything in data space
   TransmittedLight transmittedLight = TransmittedLight::Off;
+
+  // Share of the ambient light that reaches a point in front of the eye, [Schott2009] eq. 10; empty: all of it.
+  std::function<double(const Vector& point, const Vector& toViewer)> visibility;
+  Vector ambientColor = Vector(1.0); // radiance of the ambient light
+  // Share of a light that reaches a point; empty: all of it.
+  std::function<double(const Light& light, const Vector& point)> shadow;
 
   double step = 1.0;
   // Where the first sample lies, in steps behind the entry: 1 as VTK, 0.5 for the midpoint rule.

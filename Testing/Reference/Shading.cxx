@@ -62,8 +62,10 @@ Vector HeadlightPhong(const Scene& scene, const Sample& sample, const Vector& co
   const double length = glm::length(gradient);
   const Vector toEye = glm::normalize(scene.camera.eye - sample.entry);
   const double cosine = length > 0.0 ? Facing(glm::dot(gradient / length, toEye), scene.twoSided) : 0.0;
-  return scene.ambient * color + scene.diffuse * cosine * light.diffuse * color +
+  const Vector direct = scene.diffuse * cosine * light.diffuse * color +
     scene.specular * std::pow(cosine, scene.specularPower) * light.specular;
+  return scene.ambient * AmbientLight(scene, sample) * color +
+    ShareOfLight(scene, light, sample.position) * direct;
 }
 
 // VTK's shading by other lights: the ambient term is the lights' alone. VTK 9.1 takes a wrong direction
@@ -95,7 +97,8 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
       specular += illumination.factor * std::pow(facing, scene.specularPower) * light.specular;
     }
   }
-  return scene.ambient * ambient + scene.diffuse * diffuse * color + scene.specular * specular;
+  return scene.ambient * AmbientLight(scene, sample) * ambient + scene.diffuse * diffuse * color +
+    scene.specular * specular;
 }
 
 // The frame is that of the unclassified scalar; central differences give the extinction's normal
@@ -166,11 +169,23 @@ ExtinctionGradient FromCentralDifferences(const Scene& scene, const Sample& samp
 }
 
 //------------------------------------------------------------------------------
+Vector AmbientLight(const Scene& scene, const Sample& sample)
+{
+  return scene.ambientColor * (scene.visibility ? scene.visibility(sample.position, sample.toViewer) : 1.0);
+}
+
+//------------------------------------------------------------------------------
+double ShareOfLight(const Scene& scene, const Light& light, const Vector& point)
+{
+  return scene.shadow ? scene.shadow(light, point) : 1.0;
+}
+
+//------------------------------------------------------------------------------
 Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point)
 {
   if (!light.positional)
   {
-    return { light.toLight, 1.0 };
+    return { light.toLight, ShareOfLight(scene, light, point) };
   }
   const Vector offset = light.position - point;
   const double length = glm::length(offset);
@@ -181,7 +196,8 @@ Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector
   Illumination result;
   result.toLight = offset / length;
   const double distance = length * scene.worldScale;
-  result.factor = 1.0 / glm::dot(light.attenuation, Vector(1.0, distance, distance * distance));
+  result.factor = ShareOfLight(scene, light, point) /
+    glm::dot(light.attenuation, Vector(1.0, distance, distance * distance));
   if (light.coneAngle <= 90.0)
   {
     const double cosine = glm::dot(-result.toLight, light.coneAxis);
@@ -277,7 +293,8 @@ Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
         light.specular;
     }
   }
-  return color * (coefficients.ambient + coefficients.diffuse * diffuse) + coefficients.specular * specular;
+  return color * (coefficients.ambient * AmbientLight(scene, sample) + coefficients.diffuse * diffuse) +
+    coefficients.specular * specular;
 }
 }
 
@@ -292,7 +309,7 @@ Vector Radiance(const Scene& scene, const Sample& sample, const Vector& color, d
 {
   if (!scene.shade)
   {
-    return color;
+    return color * AmbientLight(scene, sample);
   }
   const Vector through = transmittedShare > 0.0
     ? color * (scene.diffuse * transmittedShare * Transmitted(scene, sample))

@@ -19,7 +19,13 @@ struct Sample
   bool isSurface = false; // of an isosurface: it has the scalar's normal, and a specular coefficient of 1
 };
 
-// Direction to a light and its attenuation at a point.
+// Radiance of the ambient light that reaches a sample.
+Vector AmbientLight(const Scene& scene, const Sample& sample);
+
+// Of a light, that nothing takes away on the way to a point.
+double ShareOfLight(const Scene& scene, const Light& light, const Vector& point);
+
+// Direction to a light, and its attenuation and shadow at a point.
 struct Illumination
 {
   Vector toLight;

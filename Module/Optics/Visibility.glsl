@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Visibility of a cone of directions, slice by slice from its open end, [Schott2009]. Needs Opacity.glsl
+// and DataSpace.glsl.
+//
+// A slope is a direction across the slices per distance along their normal: a ray that goes d along it
+// moves by d times the slope, and d/cosine in all.
+
+// The azimuths that spread any number of directions most evenly, pi (3 - sqrt(5)).
+const float GoldenAngle = 2.399963229728653;
+
+struct ConeRay
+{
+  vec2 slope;
+  float cosine; // of the angle with the axis
+};
+
+// One of count directions about the axis that have equal shares of the cone's solid angle: each lies in the
+// middle of its share of the cosines. index in [0, count); coneCosine of the half angle, in (0, 1].
+ConeRay ConeDirection(int index, int count, float coneCosine)
+{
+  // 1 - cosine: the cosine itself has lost the digits of a narrow cone
+  float versine = (float(index) + 0.5) / float(count) * (1.0 - coneCosine);
+  float azimuth = GoldenAngle * float(index);
+  ConeRay ray;
+  ray.cosine = 1.0 - versine;
+  ray.slope = vec2(cos(azimuth), sin(azimuth)) * (sqrt(versine * (2.0 - versine)) / ray.cosine);
+  return ray;
+}
+
+// Whether a point of a square grid of gridSize^2 points lies on the disk that touches the square's sides.
+// Exact: no point lies on the circle. index in [0, gridSize^2), gridSize in [1, 1024].
+bool IsOnDisk(int index, int gridSize)
+{
+  int row = index / gridSize;
+  int x = 2 * (index - row * gridSize) + 1 - gridSize;
+  int y = 2 * row + 1 - gridSize;
+  return x * x + y * y <= gridSize * gridSize;
+}
+
+// The direction to that point of the cone's base, [Schott2009] eq. 11 and section 3.4.
+// coneTangent of the half angle, >= 0: the disk's radius at a distance of 1.
+ConeRay DiskDirection(int index, int gridSize, float coneTangent)
+{
+  int row = index / gridSize;
+  vec2 place = vec2(float(2 * (index - row * gridSize) + 1 - gridSize), float(2 * row + 1 - gridSize));
+  ConeRay ray;
+  ray.slope = place * (coneTangent / float(gridSize));
+  ray.cosine = 1.0 / sqrt(1.0 + dot(ray.slope, ray.slope));
+  return ray;
+}
+
+// The solid angle of a piece of the cone's base, relative to that of the same piece on the axis. The paper
+// gives all of them the weight 1.
+float SolidAngleOfDisk(float cosine)
+{
+  return cosine * cosine * cosine;
+}
+
+// Transmittance of a stretch of a homogeneous material. opacity in [0, 1], of a stretch of length 1;
+// relativeLength >= 0: 1/cosine of a ray across a slice ([Schott2009] Algorithm 2), 1 with approximated
+// distances (Algorithm 3). 0 of an opaque material at any length.
+float StretchTransmittance(float opacity, float relativeLength)
+{
+  return opacity >= 1.0 ? 0.0 : exp(-min(OpticalDepth(opacity) * relativeLength, LargestDepth));
+}
+
+// Where a ray through a place on a slice crosses another one, sliceDistance nearer to the open end. Places
+// are lengths divided by their slice's width: the distance to the eye (perspective) or 1 (parallel), so that
+// the places of a pixel are the same on all slices. [Schott2009] eqs 12 to 15.
+vec2 PlaceOnSlice(vec2 place, vec2 slope, float sliceDistance, float width, float otherWidth)
+{
+  return (place * width + slope * sliceDistance) / otherWidth;
+}
+
+// What the points of a stretch of the ray see through it, on average, each as much as the eye sees of it:
+// int_0^1 exp(-x s) exp(-x r s) x ds / (1 - exp(-x)) for the depth x and the relative length r. opacity in
+// [0, 1] of the stretch; relativeLength >= 0 of the way out to that along the ray. 1 without opacity, and
+// 1/(1 + r) of an opaque stretch: its points see the half of what they would without it at r = 1.
+float StretchVisibility(float opacity, float relativeLength)
+{
+  float depth = opacity < 1.0 ? OpticalDepth(opacity) : LargestDepth;
+  float whole = 1.0 + relativeLength;
+  return opacity > 0.0 ? OneMinusExp(min(depth * whole, LargestDepth)) / (whole * opacity) : 1.0;
+}
