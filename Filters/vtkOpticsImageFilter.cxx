@@ -253,15 +253,16 @@ int vtkOpticsImageFilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, int& association)
+vtkDataArray* vtkOpticsImageFilter::GetChosenArray(vtkInformationVector** inputs, int& association)
 {
   association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
   const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (!scalars && name && !*name)
+  vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  if (!scalars && input && name && !*name)
   {
     association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    scalars = vtkImageData::GetData(inputs[0])->GetPointData()->GetScalars();
+    scalars = input->GetPointData()->GetScalars();
   }
   return scalars;
 }
@@ -270,7 +271,7 @@ vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, i
 vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 {
   int association;
-  vtkDataArray* scalars = this->FindScalars(inputs, association);
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
   if (!scalars || scalars->GetNumberOfTuples() == 0)
   {
     vtkErrorMacro("The input has no scalars to work on. Give it point scalars, or name an array by "
@@ -298,7 +299,7 @@ vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs)
 {
   int association;
-  vtkDataArray* scalars = this->FindScalars(inputs, association);
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
   const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
     association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     this->InputComponent < scalars->GetNumberOfComponents();
