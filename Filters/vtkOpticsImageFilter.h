@@ -212,9 +212,6 @@ private:
   // scalars of the points.
   vtkDataArray* GetChosenArray(vtkInformationVector** inputs, int& association);
   Part GetPart(const volumeoptics::ImageGrid& whole, vtkInformation* output, vtkImageData* input);
-  // As named, or nullptr. An empty name, which ParaView passes where it does not know the input's arrays yet,
-  // stands for the active scalars of the points.
-  vtkDataArray* FindScalars(vtkInformationVector** inputs, int& association);
   vtkOpticsImageFilter(const vtkOpticsImageFilter&) = delete;
   void operator=(const vtkOpticsImageFilter&) = delete;
 };
