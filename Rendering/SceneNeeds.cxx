@@ -124,7 +124,7 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene) || WantsAmbientLight(scene));
+      TransmitsLight(scene) || (WantsAmbientLight(scene) && !HasLineVoxels(scene)));
 }
 
 //------------------------------------------------------------------------------
