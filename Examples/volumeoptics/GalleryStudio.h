@@ -48,8 +48,7 @@ public:
   // A picture that was traced by rays and is kept with the program.
   PictureResult Keep(const std::string& name);
   // Lines, for which PreparationSeconds is the time to make their voxels.
-  PictureResult DrawLines(
-    const std::string& name, const LinePicture& lines, const PictureSettings& picture);
+  PictureResult DrawLines(const std::string& name, const LinePicture& lines, const PictureSettings& picture);
   // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
   std::string GetRendererName() const;
   int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }
