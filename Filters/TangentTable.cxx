@@ -50,27 +50,34 @@ bool TangentTable::Prepare(const Radiance& radiance, Batches& batches, double pr
 {
   const std::vector<WeightedDirection> directions =
     GaussDirections(RowsOfTable(this->Basis.GetMaximumOrder()));
-  const std::vector<double> weighted = this->Basis.Weighted(directions);
   const int count = this->Basis.GetCount(), places = this->Size * this->Size;
+  const int padded = (count + 3) / 4 * 4; // for AddScaled()
+  const std::vector<double> weighted = this->Basis.Weighted(directions);
+  std::vector<float> rows(directions.size() * padded, 0.0F);
+  for (std::size_t i = 0; i < weighted.size(); ++i)
+  {
+    rows[i / count * padded + i % count] = static_cast<float>(weighted[i]);
+  }
   this->Values.assign(static_cast<std::size_t>(places) * count * ChannelsOfTable, 0.0F);
   return batches.Run(places, progressAtEnd, [&](long long place) {
     const glm::dvec2 index(place % this->Size, place / this->Size);
     const glm::dvec3 tangent = DirectionOf(index * (2.0 / (this->Size - 1)) - 1.0);
-    std::vector<double> sums(count * ChannelsOfTable, 0.0);
+    std::vector<double> sums(padded * ChannelsOfTable, 0.0); // [channel][harmonic]
     for (std::size_t i = 0; i < directions.size(); ++i)
     {
-      glm::dvec3 body(0.0), highlight(0.0);
-      radiance(tangent, directions[i].Direction, body, highlight);
+      glm::dvec3 light[2] = { glm::dvec3(0.0), glm::dvec3(0.0) };
+      radiance(tangent, directions[i].Direction, light[0], light[1]);
       const double sine = glm::length(glm::cross(tangent, directions[i].Direction));
-      const glm::dvec3 a = sine * body, b = sine * highlight;
-      const double values[ChannelsOfTable] = { a.x, a.y, a.z, 0.0, b.x, b.y, b.z, 0.0 };
-      const double* basis = &weighted[i * count];
-      for (int j = 0; j < count * ChannelsOfTable; ++j)
+      for (const int c : { 0, 1, 2, 4, 5, 6 })
       {
-        sums[j] += basis[j / ChannelsOfTable] * values[j % ChannelsOfTable];
+        AddScaled(&rows[i * padded], sine * light[c / 4][c % 4], padded, &sums[c * padded]);
       }
     }
-    std::copy(sums.begin(), sums.end(), this->Values.begin() + place * sums.size());
+    float* entry = &this->Values[place * count * ChannelsOfTable];
+    for (int i = 0; i < count * ChannelsOfTable; ++i)
+    {
+      entry[i] = static_cast<float>(sums[i % ChannelsOfTable * padded + i / ChannelsOfTable]);
+    }
   });
 }
 

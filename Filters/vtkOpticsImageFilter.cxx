@@ -12,6 +12,7 @@
 #include "RangeSearch.h"
 #include "ScalarSource.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -134,6 +135,12 @@ ImageGrid vtkOpticsImageFilter::GetGrid(vtkInformationVector** inputs)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsImageFilter::IsComposite(vtkInformationVector** inputs)
+{
+  return vtkCompositeDataSet::GetData(inputs[0]) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
 {
   const bool hasExtent = inputs[0]->GetInformationObject(0)->Has(SDDP::WHOLE_EXTENT()) != 0;
@@ -148,6 +155,10 @@ bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
 int vtkOpticsImageFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   if (!this->HasExtent(inputs))
   {
     return 0;
@@ -216,6 +227,10 @@ int vtkOpticsImageFilter::GetGhostLevels(const ImageGrid& grid, vtkInformation* 
 int vtkOpticsImageFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   const ImageGrid grid = this->GetGrid(inputs);
   int extent[6];
   this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent);

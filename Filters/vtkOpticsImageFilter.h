@@ -121,6 +121,11 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
+   * Whether the input is composite data, which the executive passes on block by block.
+   */
+  static bool IsComposite(vtkInformationVector** inputs);
+
+  /**
    * Whether the input has a whole extent; else an error.
    */
   bool HasExtent(vtkInformationVector** inputs);

@@ -25,6 +25,7 @@
 #include "vtkVolumeOpticsModule.h" // for export macro
 
 #include <memory> // for the implementation
+#include <string> // for the fragment shader
 #ifndef __VTK_WRAP__
 #include <utility> // for what has a time
 #include <vector>  // for what has a time
@@ -110,6 +111,10 @@ public:
   /** Sweeps done. A sweep of what was swept last is not done again. */
   vtkGetMacro(SweepCount, int);
 
+  /** Shader programs linked, and the fragment shader of the last one; for inspection and tests. */
+  int GetProgramLinkCount();
+  std::string GetFragmentShader();
+
   /** Froxels on the x and y axis, and slices, of the last grid. */
   vtkGetVector3Macro(GridSize, int);
 
@@ -120,10 +125,10 @@ public:
   struct Volume
   {
     vtkOpenGLRenderWindow* Window;
-    vtkShaderProgram* Ray;       // that is about to draw the volume, its uniforms set, its textures bound
-    double TextureToWorld[16];   // of VTK's texture coordinates, row by row
-    double DataToWorld[16];      // of the coordinates in which VTK measures steps
-    double StepLength;           // of the ray, in those
+    vtkShaderProgram* Ray;     // that is about to draw the volume, its uniforms set, its textures bound
+    double TextureToWorld[16]; // of VTK's texture coordinates, row by row
+    double DataToWorld[16];    // of the coordinates in which VTK measures steps
+    double StepLength;         // of the ray, in those
     std::vector<std::pair<const void*, vtkMTimeType>> Times; // of what the textures are made of
   };
 

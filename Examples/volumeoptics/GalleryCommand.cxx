@@ -36,7 +36,7 @@ struct GalleryOptions
   bool Force = false;
 };
 
-constexpr int TracedRays = 96;
+constexpr int TracedRays = 24; // from each of some dozens of samples of a pixel
 
 std::vector<GallerySection> ChosenSections(const GalleryOptions& options)
 {
@@ -68,6 +68,10 @@ PictureResult ResultOf(const GalleryPicture& picture, bool hasScore, GalleryStud
   if (picture.TracedAngle > 0.0)
   {
     return studio.Keep(picture.Name);
+  }
+  if (!picture.Lines.Source.empty())
+  {
+    return studio.DrawLines(picture.Name, picture.Lines, picture.Settings);
   }
   return hasScore ? studio.Draw(picture.Name, picture.Field, picture.Settings)
                   : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);

@@ -231,8 +231,8 @@ std::vector<GallerySection> GalleryList(bool withCranium)
   {
     sections.push_back(section);
   }
-  for (const auto& more :
-    { IntegrationSections(withCranium), LightingSections(withCranium), OcclusionSections(withCranium) })
+  for (const auto& more : { IntegrationSections(withCranium), LightingSections(withCranium),
+         OcclusionSections(withCranium), LineSections() })
   {
     sections.insert(sections.end(), more.begin(), more.end());
   }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the gallery shows: sections of pictures, after the figures of [Ament2015] and [Kraus2005].
+// What the gallery shows: sections of pictures, after the figures of the papers.
 
 #ifndef GalleryList_h
 #define GalleryList_h
 
+#include "GalleryLines.h"
 #include "PictureSettings.h"
 
 #include <string>
@@ -19,6 +20,8 @@ struct GalleryPicture
   PictureSettings Settings;
   std::string Caption = "";  // what to see; empty: the settings of the reflectance
   double TracedAngle = -1.0; // above 0: a kept picture, traced by rays out of a cone of this half angle
+  std::string Caption = "";  // what to see; empty: the settings of the reflectance
+  LinePicture Lines = {};    // in place of the field, where it has a source
 };
 
 struct GallerySection

@@ -80,7 +80,8 @@ void PutPicture(std::ostream& page, const GalleryPicture& picture, const Picture
   }
   if (result.PreparationSeconds > 0.0)
   {
-    page << ", normals and covariance " << TimeText(result.PreparationSeconds);
+    page << (picture.Lines.Source.empty() ? ", normals and covariance " : ", voxels from lines ")
+         << TimeText(result.PreparationSeconds);
   }
   if (!result.Reference.empty())
   {

@@ -37,7 +37,7 @@ namespace
 
 // Spirals in [-1, 1]^3.
 [[maybe_unused]] vtkSmartPointer<vtkImageData> Spirals(
-  int x, int y, int z, int order = 4, bool exactProduct = false, int segments = 4000)
+  int x, int y, int z, int order = 4, bool exactProduct = false, int segments = 4000, double radius = 0.01)
 {
   vtkNew<vtkAnalyticLineSource> source;
   source->SetNumberOfSegments(segments);
@@ -45,7 +45,7 @@ namespace
   voxelizer->SetInputConnection(source->GetOutputPort());
   voxelizer->SetSampleDimensions(x, y, z);
   voxelizer->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
-  voxelizer->SetRadius(0.01);
+  voxelizer->SetRadius(radius);
   voxelizer->SetMaximumOrder(order);
   voxelizer->SetExactProduct(exactProduct);
   return VoxelsOf(voxelizer);
@@ -197,7 +197,8 @@ private:
       sum += weights.x * weights.y * weights.z * glm::dvec4(rgba[0], rgba[1], rgba[2], 1.0) * double(rgba[3]);
     }
     const double unit = 4.0 * this->Grid.Volume() / this->Grid.Surface();
-    return glm::dvec4(glm::dvec3(sum) / std::max(sum.w, 1e-300), -std::log1p(-std::min(sum.w, 1.0 - 1e-16)) / unit);
+    return glm::dvec4(
+      glm::dvec3(sum) / std::max(sum.w, 1e-300), -std::log1p(-std::min(sum.w, 1.0 - 1e-16)) / unit);
   }
 
   // VTK's samples: from a step behind the entry on, as long as they are inside.

@@ -49,7 +49,7 @@ double LightShadow::operator()(const Light& light, const Vector& point) const
 //------------------------------------------------------------------------------
 double LightShadow::ShareOfDirectional(const Light& light, const Vector& point) const
 {
-  return ConeVisibility(this->Volume, point, light.toLight, this->Rays, 0);
+  return ConeVisibility(this->Volume, point, light.toLight, this->Rays);
 }
 
 //------------------------------------------------------------------------------
