@@ -96,9 +96,8 @@ LineView LineVolume::ViewOf(const OpticsScene& scene) const
 void LineVolume::SetUniforms(const std::string& name, vtkShaderProgram* program)
 {
   const LineGrid& grid = this->Lines.Grid;
-  const glm::vec3 dimensions(grid.Dimensions), brick(grid.Brick);
+  const glm::vec3 dimensions(grid.Dimensions);
   program->SetUniform3f((name + "Dimensions").c_str(), &dimensions.x);
-  program->SetUniform3f((name + "Brick").c_str(), &brick.x);
   program->SetUniformf(
     (name + "UnitInverse").c_str(), static_cast<float>(grid.Surface() / (4.0 * grid.Volume())));
   this->Lines.Bricks.Bind((name + "Bricks").c_str(), program);

@@ -49,7 +49,8 @@
 #include "LightsPositional.h"
 #include "LineBlock.h"
 #include "LineBlockNone.h"
-#include "LineFragment.h"
+#include "LineEvaluationFragment.h"
+#include "LineEvaluationVertex.h"
 #include "LineLookup.h"
 #include "LineRay.h"
 #include "LineShadingImpl.h"
@@ -407,13 +408,19 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 }
 
 //------------------------------------------------------------------------------
-std::string LineEvaluationFragmentShader(int order, int types, bool hasProduct)
+std::string LineEvaluationVertexShader(int order, int types, bool hasProduct)
 {
   const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
     "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n#define OPTICS_LINE_PRODUCT " +
     (hasProduct ? "1\n" : "0\n");
-  return "//VTK::System::Dec\n//VTK::Output::Dec\n" + constants + Opacity + SphericalHarmonics +
-    CylinderLighting + LineVoxel + LineFragment;
+  return "//VTK::System::Dec\n" + constants + Opacity + SphericalHarmonics + CylinderLighting + LineVoxel +
+    LineEvaluationVertex;
+}
+
+//------------------------------------------------------------------------------
+std::string LineEvaluationFragmentShader()
+{
+  return LineEvaluationFragment;
 }
 
 //------------------------------------------------------------------------------

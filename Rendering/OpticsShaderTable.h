@@ -127,9 +127,10 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 
 /**
- * The shader that evaluates anisotropic voxels of an order and a number of line types.
+ * The shaders that evaluate anisotropic voxels of an order and a number of line types.
  */
-std::string LineEvaluationFragmentShader(int order, int types, bool hasProduct);
+std::string LineEvaluationVertexShader(int order, int types, bool hasProduct);
+std::string LineEvaluationFragmentShader();
 
 /**
  * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.

@@ -152,6 +152,12 @@ void SweepProgram::CopyUniforms(vtkShaderProgram* ray)
 }
 
 //------------------------------------------------------------------------------
+std::string SweepProgram::GetFragmentShader() const
+{
+  return this->Program ? this->Program->GetFragmentShader()->GetSource() : std::string();
+}
+
+//------------------------------------------------------------------------------
 void SweepProgram::Release()
 {
   this->Program = nullptr;

@@ -39,6 +39,9 @@ public:
   /** The values that were copied last, one after the other. */
   const std::vector<char>& GetValues() const { return this->Values; }
 
+  /** As OpenGL gets it; empty before the first one. */
+  std::string GetFragmentShader() const;
+
   int GetLinkCount() const { return this->LinkCount; }
   void Release();
 

@@ -324,6 +324,12 @@ vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter(
 }
 
 //------------------------------------------------------------------------------
+vtkVisibilitySweep* vtkOpticsVolumeMapper::GetOcclusionSweep()
+{
+  return this->Terms->Occlusion.GetSweep();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOpticsVolumeMapper::GetActiveTerms()
 {
   return this->Terms->ActiveTerms;

@@ -346,6 +346,12 @@ public:
    */
   void SetSampleDistance(float distance) override;
 
+  /**
+   * The sweep from the eye that Occlusion is found by: for what it counts and says of the last frame. Its
+   * parameters are the mapper's and the property's.
+   */
+  vtkVisibilitySweep* GetOcclusionSweep();
+
   /** Names of the terms in the last frame, separated by commas; empty: VTK's own picture. */
   std::string GetActiveTerms();
 

@@ -274,6 +274,18 @@ vtkTextureObject* vtkVisibilitySweep::GetTexture()
 }
 
 //------------------------------------------------------------------------------
+int vtkVisibilitySweep::GetProgramLinkCount()
+{
+  return this->Internals->Program.GetLinkCount();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVisibilitySweep::GetFragmentShader()
+{
+  return this->Internals->Program.GetFragmentShader();
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkVisibilitySweep::GetMemorySize() const
 {
   return this->Internals->Target.GetMemorySize();

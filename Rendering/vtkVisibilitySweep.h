@@ -25,6 +25,7 @@
 #include "vtkVolumeOpticsModule.h" // for export macro
 
 #include <memory> // for the implementation
+#include <string> // for the fragment shader
 #ifndef __VTK_WRAP__
 #include <utility> // for what has a time
 #include <vector>  // for what has a time
@@ -109,6 +110,10 @@ public:
 
   /** Sweeps done. A sweep of what was swept last is not done again. */
   vtkGetMacro(SweepCount, int);
+
+  /** Shader programs linked, and the fragment shader of the last one; for inspection and tests. */
+  int GetProgramLinkCount();
+  std::string GetFragmentShader();
 
   /** Froxels on the x and y axis, and slices, of the last grid. */
   vtkGetVector3Macro(GridSize, int);

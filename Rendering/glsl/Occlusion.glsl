@@ -7,21 +7,24 @@
 
 uniform sampler3D in_opticsOcclusion;
 uniform mat4 in_opticsOcclusionGrid;  // VTK's texture coordinates to (x w, y w, z, w) of the grid's
-uniform vec3 in_opticsOcclusionNumbers; // of slices; one over the mean cosine of the cone; 1, or 0: nothing is known
+uniform vec3 in_opticsOcclusionNumbers; // of slices; MeanWayOut() of the cone; 1, or 0: nothing is known
 
-float g_opticsOwnDepth = 0.0; // optical depth along the ray, fading over a slice
-float g_opticsOwnPlace = 0.0; // where it was taken, in slices
-float g_opticsClear = 1.0;    // transmittance of the ray up to there
+vec3 g_opticsOwnDepth = vec3(0.0); // of opticsOwnDepth(): three parts of a sum
+float g_opticsOwnPlace = 0.0;      // where it was taken, in slices
+float g_opticsClear = 1.0;         // transmittance of the ray up to there
 
-// After the samples in front of this one.
+// Optical depth of the ray since the slice in front: of what lies s slices back exp(-x) (1 + x + x^2/2) counts,
+// x = 3 s, which is nearly 1 to half a slice and 1 over all s. Each step back takes an older part to the next power.
 float opticsOwnDepth(float place)
 {
   float clear = max(1.0 - g_fragColor.a, 1.0e-6);
-  float met = log(max(g_opticsClear / clear, 1.0));
-  g_opticsOwnDepth = (g_opticsOwnDepth + met) * exp(-abs(place - g_opticsOwnPlace));
+  vec3 own = g_opticsOwnDepth;
+  own.x += log(max(g_opticsClear / clear, 1.0));
+  float x = 3.0 * abs(place - g_opticsOwnPlace);
+  g_opticsOwnDepth = exp(-x) * vec3(own.x, own.y + x * own.x, own.z + x * (own.y + 0.5 * x * own.x));
   g_opticsOwnPlace = place;
   g_opticsClear = clear;
-  return g_opticsOwnDepth;
+  return g_opticsOwnDepth.x + g_opticsOwnDepth.y + g_opticsOwnDepth.z;
 }
 
 float opticsOcclusion(vec3 texPosition, float opacity)
@@ -32,8 +35,8 @@ float opticsOcclusion(vec3 texPosition, float opacity)
   vec4 froxel = in_opticsOcclusionGrid * vec4(texPosition, 1.0);
   float reaching = texture(in_opticsOcclusion, vec3(froxel.xy / froxel.w, froxel.z)).r;
   float ownDepth = opticsOwnDepth(froxel.z * in_opticsOcclusionNumbers.x);
-  float cosineInverse = in_opticsOcclusionNumbers.y;
-  float own = exp(-ownDepth * cosineInverse) * StretchVisibility(opticsOwnOpacity(opacity), cosineInverse);
+  float wayOut = in_opticsOcclusionNumbers.y;
+  float own = exp(-ownDepth * wayOut) * StretchVisibility(opticsOwnOpacity(opacity), wayOut);
   return in_opticsOcclusionNumbers.z > 0.0 ? reaching * own : 1.0;
 #endif
 }
