@@ -127,7 +127,11 @@ void VolumeCorners(const OpticsScene& scene, double corners[24])
 //------------------------------------------------------------------------------
 SweepGrid::Resolution SweepResolution(const OpticsScene& scene)
 {
-  return { scene.Mapper->GetVisibilityGridSize(), scene.Mapper->GetVisibilitySliceDistance(),
+  // presets are coarser while the user interacts, as their steps are
+  const bool isCoarse = scene.Mapper->GetQuality() != vtkOpticsVolumeMapper::Custom &&
+    scene.Mapper->IsInteractive(scene.Renderer);
+  const int size = scene.Mapper->GetVisibilityGridSize();
+  return { isCoarse ? (size + 1) / 2 : size, scene.Mapper->GetVisibilitySliceDistance(),
     vtkTextureObject::GetMaximumTextureSize3D(scene.Window) };
 }
 
