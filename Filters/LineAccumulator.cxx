@@ -173,7 +173,7 @@ void LineAccumulator::Partition(std::vector<Portion>& portions)
 void LineAccumulator::SumBrick(std::size_t range, Workspace& work)
 {
   const int places = this->Settings.Grid.VoxelsOfBrick();
-  const std::size_t size = static_cast<std::size_t>(this->Settings.Basis->GetCount()) * LineChannels;
+  const std::size_t size = this->SizeOfVoxel();
   work.Slots.resize(places);
   work.Values.resize(places * size);
   for (auto& [number, type] : this->Types)
@@ -202,7 +202,7 @@ void LineAccumulator::SumBrick(std::size_t range, Workspace& work)
 
 void LineAccumulator::SumType(TypeSums& type, int number, std::size_t range, Workspace& work) const
 {
-  const std::size_t size = static_cast<std::size_t>(this->Settings.Basis->GetCount()) * LineChannels;
+  const std::size_t size = this->SizeOfVoxel();
   work.Row.Tangent = glm::dvec3(0.0); // another type's lights
   for (std::size_t i = this->Ranges[range].First; i < this->Ranges[range].Last; ++i)
   {
@@ -308,7 +308,7 @@ bool LineAccumulator::Finish(Batches& batches, double progressAtEnd, const Proce
 
 void LineAccumulator::Compress(const LineSums& sums, LineBrick& brick) const
 {
-  const std::size_t size = static_cast<std::size_t>(this->Settings.Basis->GetCount()) * LineChannels;
+  const std::size_t size = this->SizeOfVoxel();
   for (std::size_t place = 0; place < sums.Slots.size(); ++place)
   {
     if (sums.Slots[place] >= 0)

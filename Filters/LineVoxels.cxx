@@ -210,6 +210,7 @@ std::string LineVoxels::ReadType(vtkImageData* image, int type)
   const vtkIdType bricks = this->NumberOfOccupiedBricks;
   set.BrickStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "BrickStarts"), VTK_TYPE_INT64, bricks + 1);
   const vtkIdType voxels = set.BrickStarts ? set.BrickStarts[bricks] : 0;
+  set.NumberOfVoxels = voxels;
   set.VoxelStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "VoxelStarts"), VTK_TYPE_INT64, voxels + 1);
   if (!set.BrickStarts || !set.VoxelStarts ||
     !std::is_sorted(set.BrickStarts, set.BrickStarts + bricks + 1) ||

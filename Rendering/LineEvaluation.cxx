@@ -6,10 +6,10 @@
 #include "OpticsShaderTable.h"
 
 #include "vtkOpenGLFramebufferObject.h"
-#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLVertexArrayObject.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
@@ -60,12 +60,13 @@ void LineEvaluation::Update(LineTextures& lines, const LineView& view, const std
   this->Window = window;
   const double range[2] = { 0.0, 1.0 };
   this->Function.Update(function ? function : this->Identity.Get(), range, window);
-  this->Allocate(lines.Atlas.Size(), bits, window);
+  const bool isNew = this->Allocate(lines.AtlasSize, bits, window);
 
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglColorMask colorMask(state);
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
@@ -81,19 +82,25 @@ void LineEvaluation::Update(LineTextures& lines, const LineView& view, const std
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (isNew)
+  {
+    state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  }
+  state->vtkglPointSize(1.0F);
   this->Draw(lines, view, scales, function != nullptr);
   state->PopFramebufferBindings();
   this->Evaluated = key;
 }
 
 //------------------------------------------------------------------------------
-void LineEvaluation::Allocate(const glm::ivec2& size, int bits, vtkOpenGLRenderWindow* window)
+bool LineEvaluation::Allocate(const glm::ivec2& size, int bits, vtkOpenGLRenderWindow* window)
 {
   const bool fits = this->Atlas.IsAlive(window) && bits == this->Bits &&
     glm::ivec2(this->Atlas->GetWidth(), this->Atlas->GetHeight()) == size;
   if (fits)
   {
-    return;
+    return false;
   }
   this->Bits = bits;
   vtkTextureObject* texture = this->Atlas.Renew(window);
@@ -102,6 +109,7 @@ void LineEvaluation::Allocate(const glm::ivec2& size, int bits, vtkOpenGLRenderW
   texture->SetDataType(GL_FLOAT);
   this->Atlas.Interpolate();
   texture->Allocate2D(size.x, size.y, 4, VTK_FLOAT);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -109,15 +117,15 @@ void LineEvaluation::Draw(
   LineTextures& lines, const LineView& view, const std::vector<LineScale>& scales, bool mapsOpacity)
 {
   this->MakeProgramReady(lines);
-  vtkShaderProgram* program = this->Quad->Program;
+  vtkShaderProgram* program = this->Program;
   this->SetSizes(lines);
   this->SetView(view);
   this->SetTypes(lines, scales);
   this->Function.SetUniforms("in_opacityFunction", program);
   program->SetUniformi("in_mapsOpacity", mapsOpacity ? 1 : 0);
-  std::vector<TermTexture*> textures = { &lines.Bricks, &lines.Tiles, &lines.Starts, &lines.Harmonics,
+  std::vector<TermTexture*> textures = { &lines.Points, &lines.Voxels, &lines.Starts, &lines.Harmonics,
     &lines.Coefficients };
-  const char* const names[] = { "in_bricks", "in_tiles", "in_starts", "in_harmonics", "in_coefficients",
+  const char* const names[] = { "in_points", "in_voxels", "in_starts", "in_harmonics", "in_coefficients",
     "in_products" };
   if (lines.HasProduct)
   {
@@ -127,7 +135,9 @@ void LineEvaluation::Draw(
   {
     textures[i]->Bind(names[i], program);
   }
-  this->Quad->Render();
+  this->NoArrays->Bind();
+  glDrawArrays(GL_POINTS, 0, lines.NumberOfPoints);
+  this->NoArrays->Release();
   for (TermTexture* texture : textures)
   {
     texture->Unbind();
@@ -138,36 +148,26 @@ void LineEvaluation::Draw(
 //------------------------------------------------------------------------------
 void LineEvaluation::MakeProgramReady(const LineTextures& lines)
 {
-  const std::string fragment =
-    LineEvaluationFragmentShader(lines.MaximumOrder, static_cast<int>(lines.Types.size()), lines.HasProduct);
-  if (this->Quad && fragment == this->FragmentShader)
-  {
-    this->Window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-    return;
-  }
-  this->Quad = std::make_unique<vtkOpenGLQuadHelper>(this->Window, nullptr, fragment.c_str(), nullptr);
-  this->FragmentShader = fragment;
+  const std::string vertex =
+    LineEvaluationVertexShader(lines.MaximumOrder, static_cast<int>(lines.Types.size()), lines.HasProduct);
+  const std::string fragment = LineEvaluationFragmentShader();
+  this->Program = this->Window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }
 
 //------------------------------------------------------------------------------
 void LineEvaluation::SetSizes(const LineTextures& lines)
 {
-  vtkShaderProgram* program = this->Quad->Program;
-  SetVector(program, "in_tileSize", lines.Atlas.TileSize);
-  SetVector(program, "in_brickSize", lines.Grid.Brick);
-  SetVector(program, "in_dimensions", lines.Grid.Dimensions);
+  vtkShaderProgram* program = this->Program;
   SetVector(program, "in_voxelSize", lines.Grid.Voxel);
-  const glm::vec2 atlasSize = lines.Atlas.Size();
+  const glm::vec2 atlasSize = lines.AtlasSize;
   program->SetUniform2f("in_atlasSize", &atlasSize.x);
-  program->SetUniformi("in_tilesPerRow", lines.Atlas.TilesPerRow);
-  program->SetUniformi("in_numberOfTiles", static_cast<int>(lines.Atlas.Tiles.size()));
-  program->SetUniformi("in_numberOfPlaces", lines.NumberOfOccupiedBricks * lines.Grid.VoxelsOfBrick());
+  program->SetUniformi("in_numberOfVoxels", lines.NumberOfVoxels);
 }
 
 //------------------------------------------------------------------------------
 void LineEvaluation::SetView(const LineView& view)
 {
-  vtkShaderProgram* program = this->Quad->Program;
+  vtkShaderProgram* program = this->Program;
   SetVector(program, "in_eye", view.Position);
   SetVector(program, "in_toEye", view.ToEye);
   program->SetUniformi("in_isParallel", view.IsParallel ? 1 : 0);
@@ -184,7 +184,7 @@ void LineEvaluation::SetTypes(const LineTextures& lines, const std::vector<LineS
     least.push_back(type.LeastColor);
     largest.push_back(type.LargestColor);
   }
-  vtkShaderProgram* program = this->Quad->Program;
+  vtkShaderProgram* program = this->Program;
   const auto set = [&](const char* name, const std::vector<glm::vec3>& values) {
     program->SetUniform3fv(
       name, static_cast<int>(values.size()), reinterpret_cast<const float(*)[3]>(values.data()));
@@ -197,7 +197,8 @@ void LineEvaluation::SetTypes(const LineTextures& lines, const std::vector<LineS
 //------------------------------------------------------------------------------
 void LineEvaluation::Release(vtkWindow* window)
 {
-  this->Quad.reset();
+  this->NoArrays->ReleaseGraphicsResources();
+  this->Program = nullptr;
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Function.Release(window);
   this->Atlas.Release(window);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Colour and opacity of anisotropic voxels as a camera sees them: the GPU evaluates the harmonics of every voxel of
-// the atlas in the voxel's own view direction, when the view or a scale has changed. Rays interpolate the result.
+// Colour and opacity of anisotropic voxels as a camera sees them: the GPU evaluates the harmonics of every
+// occupied voxel in the voxel's own view direction, when the view or a scale has changed, into its places in the atlas.
+// Rays interpolate there.
 
 #ifndef LineEvaluation_h
 #define LineEvaluation_h
@@ -13,12 +14,12 @@
 
 #include "vtkNew.h"
 
-#include <memory>
 #include <vector>
 
 class vtkOpenGLFramebufferObject;
-class vtkOpenGLQuadHelper;
+class vtkOpenGLVertexArrayObject;
 class vtkPiecewiseFunction;
+class vtkShaderProgram;
 
 /** In the frame of the voxels' axes, whose origin is the first voxel's corner. */
 struct LineView
@@ -46,7 +47,7 @@ public:
   TermTexture Atlas;
 
 private:
-  void Allocate(const glm::ivec2& size, int bits, vtkOpenGLRenderWindow* window);
+  bool Allocate(const glm::ivec2& size, int bits, vtkOpenGLRenderWindow* window); // whether it is new
   void Draw(LineTextures& lines, const LineView& view, const std::vector<volumeoptics::LineScale>& scales,
     bool mapsOpacity);
   void MakeProgramReady(const LineTextures& lines);
@@ -56,8 +57,8 @@ private:
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
-  std::string FragmentShader;
+  vtkNew<vtkOpenGLVertexArrayObject> NoArrays; // points have a number and no other attribute
+  vtkShaderProgram* Program = nullptr;
   vtkNew<vtkPiecewiseFunction> Identity;
   TransferFunctionTexture Function;
   std::vector<double> Evaluated; // what the atlas was evaluated with

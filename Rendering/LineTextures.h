@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Anisotropic voxels on the GPU, sparse as they are: of each voxel of the occupied bricks the place of its first
-// coefficient, coefficients one after the other, and a map of the bricks.
+// Anisotropic voxels on the GPU, sparse as they are: a list of the occupied ones, the place of each one's first
+// coefficient, coefficients one after the other, and a map of bricks.
 
 #ifndef LineTextures_h
 #define LineTextures_h
@@ -30,34 +30,36 @@ public:
   std::size_t GetMemorySize() const { return this->MemorySize; }
 
   volumeoptics::LineGrid Grid;
-  LineAtlas Atlas;
   int MaximumOrder = 0;
   bool HasProduct = false;
   std::vector<Type> Types;
-  int NumberOfOccupiedBricks = 0;
+  glm::ivec2 AtlasSize = glm::ivec2(0); // 0: there are no lines
+  int NumberOfVoxels = 0;
+  int NumberOfPoints = 0;
 
-  TermTexture Bricks; // of each brick the texel of its tile, and its number among the occupied; below 0: none
-  TermTexture Tiles;  // of each tile its first voxel
-  TermTexture Starts; // of each voxel of each occupied brick of each type its first coefficient
+  TermTexture Bricks; // of each brick the texel of its tile
+  TermTexture Points; // texel in the atlas, number of the voxel
+  TermTexture Voxels; // place in the grid
+  TermTexture Starts; // of each type, of each voxel, the first coefficient
   TermTexture Harmonics;
   TermTexture Coefficients;
   TermTexture Products;
 
 private:
-  std::string CheckSizes(const volumeoptics::LineVoxels& voxels, vtkOpenGLRenderWindow* window) const;
-  void UploadBricks(const volumeoptics::LineVoxels& voxels, vtkOpenGLRenderWindow* window);
-  void UploadTiles(vtkOpenGLRenderWindow* window);
-  void UploadStarts(const volumeoptics::LineVoxels& voxels, vtkOpenGLRenderWindow* window);
-  void UploadCoefficients(const volumeoptics::LineVoxels& voxels, int bits, vtkOpenGLRenderWindow* window);
   struct Format
   {
     unsigned int Internal, External, Number;
     int Channels, VTKType, Bytes; // Bytes of a texel on the GPU
   };
+  std::string CheckSizes(const volumeoptics::LineVoxels& voxels, vtkOpenGLRenderWindow* window) const;
+  std::string CheckAtlas(const LineAtlas& atlas, vtkOpenGLRenderWindow* window) const;
+  void UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window);
+  void ReadTypes(const volumeoptics::LineVoxels& voxels, int bits);
+  void UploadCoefficients(const volumeoptics::LineVoxels& voxels, int bits, vtkOpenGLRenderWindow* window);
   // One texel after the other, in rows.
   template <class Value>
   void UploadList(
-    TermTexture& texture, std::vector<Value> values, const Format& format, vtkOpenGLRenderWindow* window);
+    TermTexture& texture, std::vector<Value>& values, const Format& format, vtkOpenGLRenderWindow* window);
 
   std::size_t MemorySize = 0;
 };

@@ -38,7 +38,7 @@ glm::dmat4 MakeDataToVoxels(vtkImageData* image, const LineGrid& grid)
 //------------------------------------------------------------------------------
 std::string LineVolume::Update(vtkImageData* image, const OpticsScene& scene)
 {
-  const std::string error = this->Upload(image, scene.Mapper->GetLinePrecision(), scene.Window);
+  std::string error = this->Upload(image, scene.Mapper->GetLinePrecision(), scene.Window);
   if (!error.empty() || this->IsEmpty())
   {
     return error;
@@ -65,7 +65,7 @@ std::string LineVolume::Upload(vtkImageData* image, int bits, vtkOpenGLRenderWin
   }
   this->Uploaded = nullptr;
   this->Evaluation.Invalidate();
-  const std::string error = this->Lines.Upload(image, bits, window);
+  std::string error = this->Lines.Upload(image, bits, window);
   if (error.empty())
   {
     this->DataToVoxels = MakeDataToVoxels(image, this->Lines.Grid);
@@ -96,9 +96,8 @@ LineView LineVolume::ViewOf(const OpticsScene& scene) const
 void LineVolume::SetUniforms(const std::string& name, vtkShaderProgram* program)
 {
   const LineGrid& grid = this->Lines.Grid;
-  const glm::vec3 dimensions(grid.Dimensions), brick(grid.Brick);
+  const glm::vec3 dimensions(grid.Dimensions);
   program->SetUniform3f((name + "Dimensions").c_str(), &dimensions.x);
-  program->SetUniform3f((name + "Brick").c_str(), &brick.x);
   program->SetUniformf(
     (name + "UnitInverse").c_str(), static_cast<float>(grid.Surface() / (4.0 * grid.Volume())));
   this->Lines.Bricks.Bind((name + "Bricks").c_str(), program);

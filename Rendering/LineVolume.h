@@ -21,7 +21,7 @@ public:
   /** What is wrong with the image, and what to do about it; empty where it can be drawn. */
   std::string Update(vtkImageData* image, const OpticsScene& scene);
 
-  bool IsEmpty() const { return this->Lines.Atlas.Tiles.empty(); }
+  bool IsEmpty() const { return this->Lines.AtlasSize.x == 0; }
 
   /** Data space to voxels, from the corner of the first one. */
   glm::dmat4 GetDataToVoxels() const { return this->DataToVoxels; }

@@ -37,10 +37,10 @@ LinePicture Spirals(int segments, double radius)
   return lines;
 }
 
-LinePicture Vortices(int segments, double radius)
+LinePicture Ring(int segments, double radius)
 {
   LinePicture lines;
-  lines.Source = "vortices";
+  lines.Source = "ring";
   lines.Segments = segments;
   lines.Radius = radius;
   return lines;
@@ -77,22 +77,22 @@ GallerySection SpiralsSection()
 GallerySection LightSection()
 {
   GallerySection section{ "Lines: headlight, and a light in the world",
-    "After Fig. 5: 1 million segments of streamlines (blue) and of lines along the cores (orange) of "
-    "vortices "
-    "that trail behind a wing. The gallery traces them. With a light from above that is fixed in the world, "
-    "the near and the far view are lit from the same side.",
+    "After Fig. 5: 1 million segments of streamlines that the gallery traces in a flow around a ring: blue "
+    "ones "
+    "in bands on two tori, orange ones in their middle. The light in the world stays above when "
+    "the view changes.",
     4, {}, false };
-  LinePicture lines = Vortices(1000000, 0.00025);
-  const PictureSettings front = ViewFrom(25.0, 25.0, 1.25), back = ViewFrom(25.0, -20.0, 1.25);
+  LinePicture lines = Ring(1000000, 0.00025);
+  const PictureSettings above = ViewFrom(25.0, 35.0, 1.45), below = ViewFrom(25.0, -35.0, 1.45);
   section.Pictures.push_back(
-    Picture("vortices-headlight", "Headlight", lines, front, "Brightest where lines run across the view."));
-  section.Pictures.push_back(Picture(
-    "vortices-headlight-back", "Headlight, from behind and below", lines, back, "Lit from the eye again."));
+    Picture("ring-headlight", "Headlight", lines, above, "Brightest where lines run across the view."));
+  section.Pictures.push_back(
+    Picture("ring-headlight-below", "Headlight, from below", lines, below, "Lit from the eye again."));
   lines.WorldLight = { 0.0, 0.0, 1.0 };
   section.Pictures.push_back(
-    Picture("vortices-world", "Light from above", lines, front, "Tops are bright, undersides dark."));
-  section.Pictures.push_back(Picture("vortices-world-back", "Light from above, from behind and below", lines,
-    back, "The side that is seen lies in the dark."));
+    Picture("ring-world", "Light from above", lines, above, "Tops are bright, undersides dark."));
+  section.Pictures.push_back(Picture("ring-world-below", "Light from above, from below", lines, below,
+    "The side that is seen lies in the dark."));
   return section;
 }
 
@@ -102,23 +102,23 @@ GallerySection TypesSection()
     "After Figs. 6 and 7: ten times as many lines in the same voxels. Line types are separate sets of "
     "coefficients: radii and opacity are factors of what is drawn, and nothing is voxelized again.",
     3, {}, false };
-  LinePicture lines = Vortices(10000000, 0.00005);
-  const PictureSettings view = ViewFrom(25.0, 25.0, 1.25);
+  LinePicture lines = Ring(10000000, 0.00005);
+  const PictureSettings view = ViewFrom(25.0, 35.0, 1.45);
   lines.RadiusScales = { 0.0, 3.0 };
-  section.Pictures.push_back(Picture("vortices-primaries", "Primary lines alone", lines, view,
-    "Lines along the cores; the radius of the streamlines is 0."));
+  section.Pictures.push_back(Picture("ring-primaries", "Primary lines alone", lines, view,
+    "The middle; the radius of the lines in bands is 0."));
   lines.RadiusScales = { 0.12, 3.0 };
-  section.Pictures.push_back(Picture("vortices-secondaries", "With thin secondaries", lines, view,
-    "Streamlines an eighth as thick give the context."));
+  section.Pictures.push_back(Picture(
+    "ring-secondaries", "With thin secondaries", lines, view, "Bands an eighth as thick give the context."));
   lines.RadiusScales = { 1.0, 1.0 };
   section.Pictures.push_back(
-    Picture("vortices-radii", "One radius", lines, view, "Streamlines outnumber and hide the cores' lines."));
+    Picture("ring-radii", "One radius", lines, view, "The bands outnumber and hide the middle."));
   for (const double opacity : { 0.02, 0.1, 0.5 })
   {
     lines.OpacityScale = opacity;
     const std::string percent = std::to_string(static_cast<int>(100.0 * opacity + 0.5));
     section.Pictures.push_back(
-      Picture("vortices-opacity-" + percent, "Opacity times " + percent + " %", lines, view,
+      Picture("ring-opacity-" + percent, "Opacity times " + percent + " %", lines, view,
         opacity < 0.05    ? "Global structure: how many lines lie behind each other."
           : opacity < 0.2 ? "Between the two."
                           : "Local structure: the outermost lines."));

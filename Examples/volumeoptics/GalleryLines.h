@@ -15,7 +15,7 @@
 // A picture of lines that the gallery makes. JSON is the key of the cache.
 struct LinePicture
 {
-  std::string Source; // spirals, vortices; empty: the picture is that of a volume
+  std::string Source; // spirals, ring; empty: the picture is that of a volume
   int Segments = 0;
   double Radius = 0.001;
   int Grid = 256;

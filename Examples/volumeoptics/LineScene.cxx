@@ -121,10 +121,16 @@ LineScene::LineScene(
   }
 }
 
-void LineScene::SetRadiusScale(double scale)
+void LineScene::SetRadiusScale(int type, double scale)
 {
-  this->Evaluator->SetRadiusScale(0, scale);
-  this->Scene->GetMapper()->SetLineRadiusScale(0, scale);
+  this->Evaluator->SetRadiusScale(type, scale);
+  this->Scene->GetMapper()->SetLineRadiusScale(type, scale);
+}
+
+void LineScene::SetOpacityScale(int type, double scale)
+{
+  this->Evaluator->SetOpacityScale(type, scale);
+  this->Scene->GetMapper()->SetLineOpacityScale(type, scale);
 }
 
 double LineScene::Render()

@@ -49,10 +49,11 @@ class LineScene
 {
 public:
   LineScene(vtkImageData* voxels, const PictureSettings& picture, WindowKind kind,
-    LineRenderer renderer = LineRenderer::Evaluator);
+    LineRenderer renderer = LineRenderer::Mapper);
 
   vtkAnisotropicVoxelEvaluator* GetEvaluator() { return this->Evaluator; }
-  void SetRadiusScale(double scale); // of type 0
+  void SetRadiusScale(int type, double scale);
+  void SetOpacityScale(int type, double scale);
   VolumeScene& GetScene() { return *this->Scene; }
   // Seconds from the call to the finished frame, evaluation included.
   double Render();

@@ -4,7 +4,7 @@
 #include "LineStudio.h"
 
 #include "LineTubes.h"
-#include "TrailingVortices.h"
+#include "RingFlow.h"
 
 #include "vtkAnalyticLineSource.h"
 
@@ -19,7 +19,7 @@ namespace
 {
 bool HasTypes(const LinePicture& lines)
 {
-  return lines.Source == "vortices";
+  return lines.Source == "ring";
 }
 
 LineSettings SettingsOf(const LinePicture& lines)
@@ -61,9 +61,9 @@ vtkPolyData* LineStudio::LinesOf(const LinePicture& lines)
   if (key != this->LineKey)
   {
     this->Lines = nullptr; // before the next are made
-    if (lines.Source == "vortices")
+    if (lines.Source == "ring")
     {
-      this->Lines = TraceTrailingVortices(lines.Segments);
+      this->Lines = TraceRingFlow(lines.Segments);
     }
     else
     {
@@ -108,11 +108,10 @@ LineStudio::Result LineStudio::Draw(
   {
     for (int type : { 0, 1 })
     {
-      scene.GetEvaluator()->SetRadiusScale(type, lines.RadiusScales[type]);
-      scene.GetEvaluator()->SetOpacityScale(type, lines.OpacityScale);
+      scene.SetRadiusScale(type, lines.RadiusScales[type]);
+      scene.SetOpacityScale(type, lines.OpacityScale);
     }
     scene.Render();
-    scene.GetEvaluator()->Modified();
     result.FrameSeconds = scene.Render();
     result.VoxelSeconds = this->VoxelSeconds;
     scene.GetScene().WritePng(path);

@@ -167,7 +167,7 @@ void Draw(LinesOptions& options)
     WriteVoxels(voxels, options.VoxelFile);
   }
   LineScene scene(voxels, options.Picture, OffScreenWindow(options.Headless), options.Renderer);
-  scene.SetRadiusScale(options.Lines.RadiusScale);
+  scene.SetRadiusScale(0, options.Lines.RadiusScale);
   const double seconds = scene.Render();
   scene.GetScene().WritePng(options.Output);
   Progress::Say(options.Output + ": voxels of " + std::to_string(voxels->GetActualMemorySize() / 1024) +

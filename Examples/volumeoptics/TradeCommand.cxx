@@ -94,7 +94,8 @@ void AddLines(CLI::App& trade)
   const auto options = std::make_shared<LinesTradeOptions>();
   CLI::App* command = trade.add_subcommand("lines",
     "Lines as anisotropic voxels: time, memory and PSNR against 10 x 10 supersampled tubes, by order, grid, "
-    "projection, tolerance and view directions (CSV and SVG)");
+    "projection, tolerance, opacity, storage and evaluation; storage by the number of segments (CSV and "
+    "SVG)");
   command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
   command->add_option("--segments", options->Segments, "Segments of the spirals")
     ->check(CLI::Range(1000, 100000000))
@@ -106,7 +107,8 @@ void AddLines(CLI::App& trade)
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   command->add_option("--knob", options->Knob, "Measure one setting alone")
-    ->check(CLI::IsMember({ "grid", "order", "tolerance", "projection", "opacity", "view directions" }));
+    ->check(CLI::IsMember(
+      { "segments", "grid", "order", "tolerance", "projection", "opacity", "storage", "evaluation" }));
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
   command->callback([options] { TradeLines(*options); });
 }

@@ -11,9 +11,12 @@
 #include "SvgPlot.h"
 
 #include "vtkAnalyticLineSource.h"
+#include "vtkOpticsVolumeMapper.h"
 
+#include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +31,9 @@ struct Setting
   std::string Knob, Value;
   LineSettings Lines;
   int Directions = 0; // of the sampled projection
+  LineRenderer Renderer = LineRenderer::Mapper;
   bool PerBlock = false;
+  int Bits = 16;
 };
 
 LineSettings Spirals(double radius)
@@ -63,9 +68,18 @@ std::vector<Setting> Settings(double radius)
     settings.push_back({ "projection", directions == 0 ? "analytic" : std::to_string(directions),
       Spirals(radius), directions });
   }
+  settings.push_back({ "opacity", "product", Spirals(radius) });
   settings.push_back({ "opacity", "thin lines", Spirals(radius) });
   settings.back().Lines.ExactProduct = false;
-  settings.push_back({ "view directions", "per block", Spirals(radius), 0, true });
+  for (int bits : { 16, 32 })
+  {
+    settings.push_back({ "storage", std::to_string(bits) + " bits", Spirals(radius) });
+    settings.back().Bits = bits;
+  }
+  settings.push_back({ "evaluation", "mapper, per voxel", Spirals(radius) });
+  settings.push_back({ "evaluation", "filter, per voxel", Spirals(radius), 0, LineRenderer::Evaluator });
+  settings.push_back(
+    { "evaluation", "filter, per block", Spirals(radius), 0, LineRenderer::Evaluator, true });
   return settings;
 }
 
@@ -88,7 +102,8 @@ PictureSettings MakePicture(int size)
 struct Result
 {
   FramePicture Frame;
-  double VoxelizeSeconds = 0.0, EvaluateSeconds = 0.0, MiB = 0.0;
+  double VoxelizeSeconds = 0.0, FrameSeconds = 0.0;
+  double VoxelMiB = 0.0, MapperMiB = 0.0;
 };
 
 vtkSmartPointer<vtkImageData> Voxelize(vtkPolyData* lines, const Setting& setting)
@@ -111,21 +126,67 @@ Result Measure(vtkPolyData* lines, const Setting& setting, const LinesTradeOptio
   double start = ProcessorSeconds();
   const vtkSmartPointer<vtkImageData> voxels = Voxelize(lines, setting);
   result.VoxelizeSeconds = ProcessorSeconds() - start;
-  result.MiB = voxels->GetActualMemorySize() / 1024.0;
-  LineScene scene(voxels, MakePicture(options.Size), OffScreenWindow(options.Headless));
+  result.VoxelMiB = voxels->GetActualMemorySize() / 1024.0;
+  LineScene scene(voxels, MakePicture(options.Size), OffScreenWindow(options.Headless), setting.Renderer);
   scene.GetEvaluator()->SetViewDirections(setting.PerBlock);
+  scene.GetScene().GetMapper()->SetLinePrecision(setting.Bits);
+  vtkCamera* camera = scene.GetScene().GetRenderer()->GetActiveCamera();
+  camera->Azimuth(1.0);
+  scene.Render(); // compiles, uploads
+  camera->Azimuth(-1.0);
   start = ProcessorSeconds();
-  scene.GetEvaluator()->Update();
-  result.EvaluateSeconds = ProcessorSeconds() - start;
   scene.Render();
+  result.FrameSeconds = ProcessorSeconds() - start;
+  result.MapperMiB = static_cast<double>(scene.GetScene().GetMapper()->GetTermMemorySize()) / 1024.0;
   result.Frame = ToFramePicture(scene.GetScene().Capture());
   return result;
+}
+
+// Of the lines and of their voxels, as figure 8 of [Schussman2004].
+void TradeStorage(const LinesTradeOptions& options)
+{
+  CsvWriter csv(options.Folder + "/lines-storage.csv",
+    { "segments", "MiB of lines", "voxelize s", "MiB, order 2", "MiB, order 4", "MiB, order 8" });
+  Plot plot{ "Storage of lines and of voxels, 256 along the longest side", "segments", "MiB",
+    { { "lines", {} }, { "order 2", {} }, { "order 4", {} }, { "order 8", {} } } };
+  Progress measuring("Measuring storage");
+  for (int segments = 10000; segments <= 10000000; segments *= 10)
+  {
+    vtkNew<vtkAnalyticLineSource> source;
+    source->SetNumberOfSegments(segments);
+    source->Update();
+    double numbers[4] = { source->GetOutput()->GetActualMemorySize() / 1024.0 };
+    double seconds = 0.0;
+    for (int i = 1; i < 4; ++i)
+    {
+      Setting setting{ "", "", Spirals(options.Radius) };
+      setting.Lines.Order = 1 << i;
+      const double start = ProcessorSeconds();
+      numbers[i] = Voxelize(source->GetOutput(), setting)->GetActualMemorySize() / 1024.0;
+      seconds = i == 2 ? ProcessorSeconds() - start : seconds;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      plot.Series[i].Points.push_back({ 1.0 * segments, numbers[i], "" });
+    }
+    csv.Write(segments, numbers[0], seconds, numbers[1], numbers[2], numbers[3]);
+    measuring.Line(std::to_string(segments) + " segments");
+  }
+  WriteSvg(options.Folder + "/lines-storage.svg", plot);
 }
 }
 
 void TradeLines(const LinesTradeOptions& options)
 {
   std::filesystem::create_directories(options.Folder);
+  if (options.Knob.empty() || options.Knob == "segments")
+  {
+    TradeStorage(options);
+  }
+  if (options.Knob == "segments")
+  {
+    return;
+  }
   vtkNew<vtkAnalyticLineSource> source;
   source->SetNumberOfSegments(options.Segments);
   source->Update();
@@ -140,7 +201,7 @@ void TradeLines(const LinesTradeOptions& options)
   WritePng(truth, options.Folder + "/lines-tubes.png");
   const FramePicture smallTruth = Reduced(truth, 2);
   CsvWriter csv(options.Folder + "/lines.csv",
-    { "knob", "value", "voxelize s", "evaluate s", "MiB", "PSNR dB", "PSNR of 2 x 2 dB" });
+    { "knob", "value", "voxelize s", "frame s", "MiB", "MiB of the mapper", "PSNR dB", "PSNR of 2 x 2 dB" });
   Plot plot{ "Spirals against tubes", "MiB", "PSNR of 2 x 2, dB", {} };
   plot.LogarithmicY = false;
   Progress measuring("Measuring");
@@ -153,14 +214,14 @@ void TradeLines(const LinesTradeOptions& options)
     const Result result = Measure(lines, setting, options);
     const double raw = SignalToNoise(truth, result.Frame);
     const double reduced = SignalToNoise(smallTruth, Reduced(result.Frame, 2));
-    csv.Write(
-      setting.Knob, setting.Value, result.VoxelizeSeconds, result.EvaluateSeconds, result.MiB, raw, reduced);
+    csv.Write(setting.Knob, setting.Value, result.VoxelizeSeconds, result.FrameSeconds, result.VoxelMiB,
+      result.MapperMiB, raw, reduced);
     measuring.Line(setting.Knob + " " + setting.Value);
     if (plot.Series.empty() || plot.Series.back().Name != setting.Knob)
     {
       plot.Series.push_back({ setting.Knob, {} });
     }
-    plot.Series.back().Points.push_back({ result.MiB, reduced, setting.Value });
+    plot.Series.back().Points.push_back({ result.VoxelMiB, reduced, setting.Value });
     if (setting.Knob == "grid" && setting.Value == "256")
     {
       WritePng(result.Frame, options.Folder + "/lines-voxels.png");

@@ -4,11 +4,10 @@
 // Place ComputeRayDirection::Dec, after LineLookup, in place of LineBlockNone. A block of other voxels replaces those in
 // its box.
 
-uniform sampler3D in_opticsBlockBricks;
+uniform usampler3D in_opticsBlockBricks;
 uniform sampler2D in_opticsBlockAtlas;
 uniform mat4 in_opticsLinesToBlock;
 uniform vec3 in_opticsBlockDimensions;
-uniform vec3 in_opticsBlockBrick;
 uniform float in_opticsBlockUnitInverse;
 
 // What the lines show at a position, in voxels: colour, and extinction by length in data space.
@@ -18,11 +17,11 @@ vec4 opticsLinesAt(vec3 position)
   if (opticsIsWithin(inBlock, in_opticsBlockDimensions))
   {
     vec4 lines = opticsLinesIn(
-      in_opticsBlockBricks, in_opticsBlockAtlas, inBlock, in_opticsBlockDimensions, in_opticsBlockBrick);
+      in_opticsBlockBricks, in_opticsBlockAtlas, inBlock, in_opticsBlockDimensions);
     return vec4(vec3(lines), lines.a * in_opticsBlockUnitInverse);
   }
   vec4 lines = opticsLinesIn(
-    in_opticsLineBricks, in_opticsLineAtlas, position, in_opticsLineDimensions, in_opticsLineBrick);
+    in_opticsLineBricks, in_opticsLineAtlas, position, in_opticsLineDimensions);
   return vec4(vec3(lines), lines.a * in_opticsLineUnitInverse);
 }
 
@@ -49,9 +48,9 @@ float opticsStepsOverNothing(vec3 position, vec3 direction)
   vec2 steps = opticsStepsToBlock(inBlock, wayInBlock);
   bool isWithin = opticsIsWithin(inBlock, in_opticsBlockDimensions);
   float ofBlock = opticsEmptySteps(
-    in_opticsBlockBricks, inBlock, wayInBlock, in_opticsBlockDimensions, in_opticsBlockBrick);
+    in_opticsBlockBricks, inBlock, wayInBlock, in_opticsBlockDimensions);
   float ofLines = opticsEmptySteps(
-    in_opticsLineBricks, position, direction, in_opticsLineDimensions, in_opticsLineBrick);
+    in_opticsLineBricks, position, direction, in_opticsLineDimensions);
   float toFace = max(isWithin ? ceil(steps.y) : (steps.x <= steps.y ? ceil(steps.x) : 1.0e6), 1.0);
   return min(isWithin ? ofBlock : ofLines, toFace);
 }

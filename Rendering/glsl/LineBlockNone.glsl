@@ -7,12 +7,12 @@
 vec4 opticsLinesAt(vec3 position)
 {
   vec4 lines = opticsLinesIn(
-    in_opticsLineBricks, in_opticsLineAtlas, position, in_opticsLineDimensions, in_opticsLineBrick);
+    in_opticsLineBricks, in_opticsLineAtlas, position, in_opticsLineDimensions);
   return vec4(vec3(lines), lines.a * in_opticsLineUnitInverse);
 }
 
 float opticsStepsOverNothing(vec3 position, vec3 direction)
 {
   return opticsEmptySteps(
-    in_opticsLineBricks, position, direction, in_opticsLineDimensions, in_opticsLineBrick);
+    in_opticsLineBricks, position, direction, in_opticsLineDimensions);
 }

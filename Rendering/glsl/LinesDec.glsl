@@ -3,9 +3,8 @@
 
 // Place Base::Dec. Anisotropic voxels, evaluated for the eye; positions in voxels, from the first one's corner.
 
-uniform sampler3D in_opticsLineBricks; // of each brick the texel of its tile; below 0: nothing there
+uniform usampler3D in_opticsLineBricks; // of each brick the texel of its tile
 uniform sampler2D in_opticsLineAtlas;  // colour times opacity, opacity
 uniform mat4 in_opticsDataToLines;
 uniform vec3 in_opticsLineDimensions;
-uniform vec3 in_opticsLineBrick;
 uniform float in_opticsLineUnitInverse; // of the length that the opacity of a voxel belongs to

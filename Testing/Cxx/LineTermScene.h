@@ -37,7 +37,7 @@ namespace
 
 // Spirals in [-1, 1]^3.
 [[maybe_unused]] vtkSmartPointer<vtkImageData> Spirals(
-  int x, int y, int z, int order = 4, bool exactProduct = false, int segments = 4000)
+  int x, int y, int z, int order = 4, bool exactProduct = false, int segments = 4000, double radius = 0.01)
 {
   vtkNew<vtkAnalyticLineSource> source;
   source->SetNumberOfSegments(segments);
@@ -45,7 +45,7 @@ namespace
   voxelizer->SetInputConnection(source->GetOutputPort());
   voxelizer->SetSampleDimensions(x, y, z);
   voxelizer->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
-  voxelizer->SetRadius(0.01);
+  voxelizer->SetRadius(radius);
   voxelizer->SetMaximumOrder(order);
   voxelizer->SetExactProduct(exactProduct);
   return VoxelsOf(voxelizer);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The composed text of combinations of model, storage, gradient, lights and opacity, and of integral,
-// silhouette, isosurfaces, components and model, passes the reference compiler of GLSL, which is stricter than
+// silhouette, isosurfaces, components and model, and of lines, passes the reference compiler of GLSL, which is stricter than
 // a driver.
 
+#include "LineTermScene.h"
 #include "ShaderText.h"
 #include "SupportedSettings.h"
 #include "TetrahedraScene.h"
@@ -241,6 +242,22 @@ void ValidateOcclusion(Check& check, Validation& validation)
   }
 }
 
+// Lines, with and without a block, cropped and not.
+void ValidateLines(Check& check, Validation& validation)
+{
+  const auto voxels = Spirals(8, 8, 8, 0, false, 100);
+  for (int settings = 0; settings < 4; ++settings)
+  {
+    LineTermScene scene(voxels, 8);
+    const ShaderText shader(scene.Mapper);
+    scene.Mapper->SetLineBlockInputData(settings % 2 == 1 ? voxels.GetPointer() : nullptr);
+    scene.Mapper->SetCropping(settings / 2);
+    scene.Render();
+    scene.Render();
+    validation.Add(check, "Lines-" + std::to_string(settings), shader.Text);
+  }
+}
+
 // Projected tetrahedra: every silhouette, with and without isosurfaces.
 void ValidateTetrahedra(Check& check, Validation& validation)
 {
@@ -270,6 +287,7 @@ int TestShaderValidity(int, char*[])
   Validation validation;
   ValidateLighting(check, validation);
   ValidateOcclusion(check, validation);
+  ValidateLines(check, validation);
   ValidateTetrahedra(check, validation);
   ValidateAll(check, validation, { Models, Storages, Gradients, Lights });
   ValidateAll(check, validation, { Integrals, Silhouettes, Surfaces, ModelsOfIntegrals });

@@ -1,25 +1,20 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fragment shader of the atlas of evaluated voxels: each fragment is a voxel of a tile. Behind the formulas of Opacity,
-// SphericalHarmonics, CylinderLighting and LineVoxel, and OPTICS_LINE_ORDER, _TYPES, _PRODUCT.
+// Vertex shader of the atlas of evaluated voxels: a vertex is a voxel at one of its places there. Behind the formulas of
+// Opacity, SphericalHarmonics, CylinderLighting and LineVoxel, and OPTICS_LINE_ORDER, _TYPES, _PRODUCT.
 
-in vec2 texCoord;
+flat out vec4 evaluated;
+
 uniform vec2 in_atlasSize;
-uniform int in_tilesPerRow;
-uniform int in_numberOfTiles;
-uniform int in_numberOfPlaces; // voxels of all occupied bricks
-
-uniform vec3 in_tileSize;
-uniform vec3 in_brickSize;
-uniform vec3 in_dimensions;
+uniform int in_numberOfVoxels;
 uniform vec3 in_voxelSize;
 uniform vec3 in_eye; // from the corner of the first voxel
 uniform vec3 in_toEye;
 uniform int in_isParallel;
 
-uniform sampler3D in_bricks;
-uniform sampler2D in_tiles;
+uniform isampler2D in_points;
+uniform usampler2D in_voxels;
 uniform isampler2D in_starts;
 uniform usampler2D in_harmonics;
 uniform sampler2D in_coefficients;
@@ -70,11 +65,11 @@ vec3 ToEyeFrom(vec3 voxel)
   return in_isParallel == 1 || distance <= 0.0 ? in_toEye : way / distance;
 }
 
-// Colour times depth, depth, of one line type. place: of the voxel among those of the occupied bricks.
-vec4 LinesOfType(int type, int place)
+// Colour times depth, depth, of one line type in a voxel.
+vec4 LinesOfType(int type, int voxel)
 {
   int width = textureSize(in_starts, 0).x;
-  int entry = type * in_numberOfPlaces + place;
+  int entry = type * in_numberOfVoxels + voxel;
   int first = texelFetch(in_starts, PlaceInRows(entry, width), 0).r;
   int end = texelFetch(in_starts, PlaceInRows(entry + 1, width), 0).r;
   int rows = textureSize(in_coefficients, 0).x;
@@ -105,42 +100,27 @@ vec4 LinesOfType(int type, int place)
 }
 
 // Colour times opacity, opacity.
-vec4 EvaluatedVoxel(vec3 voxel)
+vec4 EvaluatedVoxel(int voxel)
 {
-  ivec3 brick = ivec3(voxel) / ivec3(in_brickSize);
-  ivec3 inBrick = ivec3(voxel) - brick * ivec3(in_brickSize);
-  int number = int(texelFetch(in_bricks, brick, 0).z);
-  if (number < 0)
-  {
-    return vec4(0.0);
-  }
-  ivec3 size = ivec3(in_brickSize);
-  int place = inBrick.x + size.x * (inBrick.y + size.y * (inBrick.z + size.z * number));
-  EvaluateBasis(ToEyeFrom(voxel));
+  uvec4 place = texelFetch(in_voxels, PlaceInRows(voxel, textureSize(in_voxels, 0).x), 0);
+  EvaluateBasis(ToEyeFrom(vec3(place)));
   vec4 lines = vec4(0.0);
   for (int type = 0; type < OPTICS_LINE_TYPES; ++type)
   {
-    lines += LinesOfType(type, place);
+    lines += LinesOfType(type, voxel);
   }
   float opacity = OneMinusExp(lines.a);
   float code = opacity * in_opacityFunctionCode.x + in_opacityFunctionCode.y;
-  float drawn = in_mapsOpacity == 1 ? clamp(texture(in_opacityFunction, code).r, 0.0, 1.0) : opacity;
+  float mapped = clamp(textureLod(in_opacityFunction, code, 0.0).r, 0.0, 1.0);
+  float drawn = in_mapsOpacity == 1 ? mapped : opacity;
   return lines.a > 0.0 ? vec4(vec3(lines) / lines.a * drawn, drawn) : vec4(0.0);
 }
 
 void main()
 {
-  ivec2 texel = ivec2(texCoord * in_atlasSize);
-  ivec3 tileSize = ivec3(in_tileSize);
-  int tileWidth = tileSize.x * tileSize.z;
-  int tile = texel.y / tileSize.y * in_tilesPerRow + texel.x / tileWidth;
-  int across = texel.x % tileWidth;
-  ivec3 inTile = ivec3(across % tileSize.x, texel.y % tileSize.y, across / tileSize.x);
-  vec4 color = vec4(0.0);
-  if (tile < in_numberOfTiles)
-  {
-    vec3 first = texelFetch(in_tiles, PlaceInRows(tile, textureSize(in_tiles, 0).x), 0).xyz;
-    color = EvaluatedVoxel(min(first + vec3(inTile), in_dimensions - 1.0));
-  }
-  gl_FragData[0] = color;
+  ivec2 point = texelFetch(in_points, PlaceInRows(gl_VertexID, textureSize(in_points, 0).x), 0).rg;
+  vec2 texel = vec2(PlaceInRows(point.x, int(in_atlasSize.x)));
+  evaluated = EvaluatedVoxel(point.y);
+  gl_PointSize = 1.0;
+  gl_Position = vec4((texel + 0.5) / in_atlasSize * 2.0 - 1.0, 0.0, 1.0);
 }
