@@ -67,8 +67,8 @@ void OcclusionTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& featur
   if (!scene.Volume->GetProperty()->GetShade())
   {
     features.Add(F::AmbientAlone);
-    features.Add(HasGradientOpacity(scene) && !Is2D(scene) ? F::GradientOpacityScalar
-                                                           : F::GradientOpacityNone);
+    features.Add(
+      HasGradientOpacity(scene) && !Is2D(scene) ? F::GradientOpacityScalar : F::GradientOpacityNone);
   }
 }
 

@@ -76,7 +76,8 @@ bool SweepGrid::operator==(const SweepGrid& other) const
 {
   return std::equal(this->WorldToView, this->WorldToView + 16, other.WorldToView) &&
     this->IsPerspective == other.IsPerspective && std::equal(this->Window, this->Window + 4, other.Window) &&
-    this->Begin == other.Begin && this->End == other.End && std::equal(this->Size, this->Size + 3, other.Size);
+    this->Begin == other.Begin && this->End == other.End &&
+    std::equal(this->Size, this->Size + 3, other.Size);
 }
 
 //------------------------------------------------------------------------------

@@ -56,8 +56,8 @@ const UniformType IntegerType = { GL_INT, 1, false,
 const UniformType& TypeOf(unsigned int type)
 {
   const UniformType* end = std::end(UniformTypes);
-  const UniformType* found =
-    std::find_if(std::begin(UniformTypes), end, [type](const UniformType& known) { return known.Type == type; });
+  const UniformType* found = std::find_if(
+    std::begin(UniformTypes), end, [type](const UniformType& known) { return known.Type == type; });
   return found == end ? IntegerType : *found;
 }
 
@@ -116,8 +116,7 @@ std::string SweepFragmentShader(const std::string& ray, const SweepProgram::Kind
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* SweepProgram::Use(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* ray, const Kind& kind)
+vtkShaderProgram* SweepProgram::Use(vtkOpenGLRenderWindow* window, vtkShaderProgram* ray, const Kind& kind)
 {
   vtkOpenGLShaderCache* cache = window->GetShaderCache();
   if (this->Program && this->RayHash == ray->GetMD5Hash() && this->CurrentKind == kind)

@@ -38,7 +38,8 @@ void SetWorldToView(vtkMatrix4x4* worldToEye, double worldToView[16])
 //------------------------------------------------------------------------------
 void AddSweepFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
-  for (const F feature : { F::VisibilitySweep, F::OpacityFormulas, F::DataSpaceFormulas, F::VisibilityFormulas })
+  for (const F feature :
+    { F::VisibilitySweep, F::OpacityFormulas, F::DataSpaceFormulas, F::VisibilityFormulas })
   {
     features.Add(feature);
   }
@@ -64,7 +65,8 @@ std::string FindUnsweepable(const OpticsScene& scene)
 {
   if (scene.Mapper->GetNumberOfBlocks() > 1)
   {
-    return "a volume in several blocks has no place in front of which all of it is known; SetPartitions(1, 1, 1).";
+    return "a volume in several blocks has no place in front of which all of it is known; SetPartitions(1, "
+           "1, 1).";
   }
   const int needed = (scene.Mapper->GetVisibilitySamples() + 3) / 4;
   vtkTextureUnitManager* units = scene.Window->GetState()->GetTextureUnitManager();

@@ -61,8 +61,7 @@ public:
   LineVoxelTerm Lines;
   OcclusionTerm Occlusion;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines,
-    &this->Occlusion };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines, &this->Occlusion };
   vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of lines whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;

@@ -167,8 +167,7 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
 }
 
 //------------------------------------------------------------------------------
-void vtkVisibilitySweep::SetUniforms(
-  const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program)
+void vtkVisibilitySweep::SetUniforms(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program)
 {
   double worldToTexture[16];
   double viewToTexture[16];
@@ -206,8 +205,8 @@ void vtkVisibilitySweep::SetConeUniforms(
   vtkMatrix4x4::Invert(volume.DataToWorld, worldToData);
   vtkMatrix4x4::Invert(grid.GetWorldToView(), viewToData);
   vtkMatrix4x4::Multiply4x4(worldToData, viewToData, viewToData);
-  const double axis = std::sqrt(viewToData[2] * viewToData[2] + viewToData[6] * viewToData[6] +
-    viewToData[10] * viewToData[10]);
+  const double axis = std::sqrt(
+    viewToData[2] * viewToData[2] + viewToData[6] * viewToData[6] + viewToData[10] * viewToData[10]);
   const double steps = axis * grid.GetSliceDistance() / volume.StepLength;
   program->SetUniformf("in_sweepStepsOfSlice", static_cast<float>(steps));
   this->Algorithm == DirectionSweep ? this->SetDirections(viewToData, axis, program)

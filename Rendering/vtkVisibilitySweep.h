@@ -120,10 +120,10 @@ public:
   struct Volume
   {
     vtkOpenGLRenderWindow* Window;
-    vtkShaderProgram* Ray;       // that is about to draw the volume, its uniforms set, its textures bound
-    double TextureToWorld[16];   // of VTK's texture coordinates, row by row
-    double DataToWorld[16];      // of the coordinates in which VTK measures steps
-    double StepLength;           // of the ray, in those
+    vtkShaderProgram* Ray;     // that is about to draw the volume, its uniforms set, its textures bound
+    double TextureToWorld[16]; // of VTK's texture coordinates, row by row
+    double DataToWorld[16];    // of the coordinates in which VTK measures steps
+    double StepLength;         // of the ray, in those
     std::vector<std::pair<const void*, vtkMTimeType>> Times; // of what the textures are made of
   };
 

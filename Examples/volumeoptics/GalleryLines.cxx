@@ -108,8 +108,8 @@ GallerySection TypesSection()
   section.Pictures.push_back(Picture("ring-primaries", "Primary lines alone", lines, view,
     "The middle; the radius of the lines in bands is 0."));
   lines.RadiusScales = { 0.06, 3.0 };
-  section.Pictures.push_back(Picture(
-    "ring-secondaries", "With thin secondaries", lines, view, "Bands of a sixteenth of their radius give the context."));
+  section.Pictures.push_back(Picture("ring-secondaries", "With thin secondaries", lines, view,
+    "Bands of a sixteenth of their radius give the context."));
   lines.RadiusScales = { 1.0, 1.0 };
   section.Pictures.push_back(
     Picture("ring-radii", "One radius", lines, view, "The bands outnumber and hide the middle."));
@@ -119,7 +119,7 @@ GallerySection TypesSection()
     const std::string percent = std::to_string(static_cast<int>(100.0 * opacity + 0.5));
     section.Pictures.push_back(
       Picture("ring-opacity-" + percent, "Opacity times " + percent + " %", lines, view,
-        opacity < 0.1    ? "Global structure: how many lines lie behind each other."
+        opacity < 0.1     ? "Global structure: how many lines lie behind each other."
           : opacity < 0.2 ? "Between the two."
                           : "Local structure: the outermost lines."));
   }
@@ -129,17 +129,18 @@ GallerySection TypesSection()
 GallerySection BlockSection()
 {
   GallerySection section{ "Lines: a finer block",
-    "After Fig. 7: once the whole has been seen, a block of voxels five times as fine replaces a region of it. "
+    "After Fig. 7: once the whole has been seen, a block of voxels five times as fine replaces a region of "
+    "it. "
     "It is made of the same lines, and takes its place by one call.",
     3, {}, false };
   LinePicture lines = Ring(1000000, 0.00025);
-  section.Pictures.push_back(
-    Picture("block-overview", "Overview", lines, ViewFrom(25.0, 50.0, 1.4), "256 voxels along the longest side."));
+  section.Pictures.push_back(Picture(
+    "block-overview", "Overview", lines, ViewFrom(25.0, 50.0, 1.4), "256 voxels along the longest side."));
   PictureSettings close = ViewFrom(0.0, 0.0, 1.0);
   close.Camera.FocalPoint = { 0.34, -0.73, 0.25 };
   close.Camera.Position = { 0.61, -1.3, 0.89 };
   close.Camera.ViewUp = { 0.0, 0.0, 1.0 };
-  close.Step = 0.001;
+  close.Step = 0.002;
   section.Pictures.push_back(
     Picture("block-coarse", "A region of it", lines, close, "Bands; voxels blur the lines in them."));
   lines.Block = { 0.15, 0.53, -0.9, -0.52, 0.05, 0.4 };

@@ -20,7 +20,7 @@ struct GalleryPicture
   PictureSettings Settings;
   std::string Caption = "";  // what to see; empty: the settings of the reflectance
   double TracedAngle = -1.0; // above 0: a kept picture, traced by rays out of a cone of this half angle
-  LinePicture Lines = {};   // in place of the field, where it has a source
+  LinePicture Lines = {};    // in place of the field, where it has a source
 };
 
 struct GallerySection

@@ -81,10 +81,13 @@ GalleryPicture ByDisk(PictureSettings settings, const std::string& name, const s
 GallerySection AngleSection()
 {
   GallerySection section{ "Directional occlusion: how wide and how fine, cranium, CT",
-    "After Fig. 5 of [Schott2009]: no light but ambient light, out of a cone about the line of sight. A wide cone "
+    "After Fig. 5 of [Schott2009]: no light but ambient light, out of a cone about the line of sight. A wide "
+    "cone "
     "lets far things darken: the orbit and the temple. The paper takes a mean over a disk again and "
-    "again from slice to slice: with few points it shows their pattern, with many it takes long, and how wide its "
-    "cone really is depends on the slices. 16 fixed directions of equal solid angle are near the truth and cost "
+    "again from slice to slice: with few points it shows their pattern, with many it takes long, and how "
+    "wide its "
+    "cone really is depends on the slices. 16 fixed directions of equal solid angle are near the truth and "
+    "cost "
     "less.",
     3, {}, false };
   for (const double angle : { NarrowAngle, WideAngle })
@@ -114,7 +117,8 @@ GallerySection PairSection(bool withCranium)
 {
   GallerySection section{ "Directional occlusion beside Lambert's law",
     "After Fig. 3: Lambert's law tells which way a surface faces, and nothing of what lies in front of it. "
-    "Occlusion darkens creases, sockets and whatever lies behind something else, so that depth reads at once.",
+    "Occlusion darkens creases, sockets and whatever lies behind something else, so that depth reads at "
+    "once.",
     4, {}, false };
   if (withCranium)
   {
@@ -129,7 +133,8 @@ GallerySection PairSection(bool withCranium)
 GallerySection TransparentSection()
 {
   GallerySection section{ "Occlusion through transparent skin, and with a clipping plane",
-    "After Fig. 4: transparent skin casts a weak shade onto the bone, where it is wrinkled more than elsewhere. "
+    "After Fig. 4: transparent skin casts a weak shade onto the bone, where it is wrinkled more than "
+    "elsewhere. "
     "A clipping plane takes what it removes out of the way of light, too: nothing is computed beforehand.",
     4, {}, false };
   PictureSettings layers = Unlit(Cranium());
@@ -163,7 +168,8 @@ GalleryPicture TracedBone(const std::string& name, const std::string& title, dou
 GallerySection TracedSection()
 {
   GallerySection section{ "Directional occlusion against rays",
-    "After Fig. 2, 150 x 150 pixels: light from everywhere, light out of a cone of 80 degrees about the line of "
+    "After Fig. 2, 150 x 150 pixels: light from everywhere, light out of a cone of 80 degrees about the line "
+    "of "
     "sight, both by rays from each sample, and the cone by the sweep, in a fraction of a second.",
     3, {}, false };
   section.Pictures.push_back(TracedBone("traced-isotropic", "Rays, isotropic phase function", WholeSphere));
@@ -188,7 +194,8 @@ PictureSettings Shadowed(PictureSettings settings, double angle)
 GallerySection ShadowSection(bool withCranium)
 {
   GallerySection section{ "Shadows, hard and soft",
-    "The same sweep from a lamp gives its shadow; a cone about the way to the lamp gives that of a lamp with an "
+    "The same sweep from a lamp gives its shadow; a cone about the way to the lamp gives that of a lamp with "
+    "an "
     "extent. One lamp, from above on the left.",
     3, {}, false };
   const auto add = [&](const std::string& name, const std::string& title, const std::string& field,

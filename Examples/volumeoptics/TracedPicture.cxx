@@ -66,8 +66,8 @@ void TracePicture(VolumeScene& scene, double angle, int rays, const std::string&
     return reference::ConeVisibility(things, point, toViewer, cone);
   };
   const double* background = scene.GetRenderer()->GetBackground();
-  WritePng(reference::Over(reference::Render(traced),
-             reference::Vector(background[0], background[1], background[2])),
+  WritePng(reference::Over(
+             reference::Render(traced), reference::Vector(background[0], background[1], background[2])),
     pngFile);
 }
 

@@ -120,8 +120,7 @@ vtkSmartPointer<vtkImageData> Voxelize(vtkPolyData* lines, const Setting& settin
   return voxelizer->GetOutput();
 }
 
-Result Measure(
-  vtkPolyData* lines, const Setting& setting, vtkCamera* view, const LinesTradeOptions& options)
+Result Measure(vtkPolyData* lines, const Setting& setting, vtkCamera* view, const LinesTradeOptions& options)
 {
   Result result;
   double start = ProcessorSeconds();

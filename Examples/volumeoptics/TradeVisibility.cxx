@@ -134,8 +134,8 @@ void TradeAlgorithms(VisibilityBench& bench, const std::string& folder)
     PrintError(degrees + "noise of the truth", noise);
     PrintError(degrees + "cone about the slices' normal", axis);
   }
-  Plot plot{ "Algorithms in double: error of the samples' visibility by the froxels' side", "side, of the grid",
-    "mean absolute error", {} };
+  Plot plot{ "Algorithms in double: error of the samples' visibility by the froxels' side",
+    "side, of the grid", "mean absolute error", {} };
   for (const NamedAlgorithm& algorithm : Algorithms())
   {
     PlotSeries series{ algorithm.Name, {} };
@@ -153,8 +153,9 @@ void TradeAlgorithms(VisibilityBench& bench, const std::string& folder)
     {
       table.Add(algorithm, angle, 128, 1.0);
     }
-    std::printf("%s: mean error as the froxels' side to the power %.2f (64 to 256), as the slice distance to the "
-                "power %.2f (1/2 to 2 of 1/64)\n",
+    std::printf(
+      "%s: mean error as the froxels' side to the power %.2f (64 to 256), as the slice distance to the "
+      "power %.2f (1/2 to 2 of 1/64)\n",
       algorithm.Name.c_str(), Slope(bySize[3], bySize[1], 4.0), Slope(byDistance[3], byDistance[1], 4.0));
     plot.Series.push_back(series);
   }

@@ -69,12 +69,9 @@ VisibilityBench::VisibilityBench(const Options& options)
   this->Stage(*this->Pictures, options.Size, -1.0, {});
   this->Pictures->Render();
   this->Software = this->Pictures->GetRendererName().find("pipe") != std::string::npos; // Mesa's rasterisers
-  auto* volume =
-    vtkVolume::SafeDownCast(this->Pictures->GetRenderer()->GetVolumes()->GetItemAsObject(0));
-  this->World =
-    reference::SceneFromVTK(this->Pictures->GetRenderer(), volume, options.Size, options.Size);
-  this->Things =
-    std::make_unique<reference::Occluders>(this->World, this->World.grid.SmallestSpacing());
+  auto* volume = vtkVolume::SafeDownCast(this->Pictures->GetRenderer()->GetVolumes()->GetItemAsObject(0));
+  this->World = reference::SceneFromVTK(this->Pictures->GetRenderer(), volume, options.Size, options.Size);
+  this->Things = std::make_unique<reference::Occluders>(this->World, this->World.grid.SmallestSpacing());
   this->Points = reference::ShownPoints(this->World, LeastWeight);
   this->Opacity.resize(static_cast<std::size_t>(options.Size) * options.Size);
   for (const reference::ShownPoint& point : this->Points)
@@ -86,8 +83,7 @@ VisibilityBench::VisibilityBench(const Options& options)
 VisibilityBench::~VisibilityBench() = default;
 
 // angle: below 0 without occlusion.
-void VisibilityBench::Stage(
-  VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs) const
+void VisibilityBench::Stage(VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs) const
 {
   PictureSettings picture = Picture(this->Setup.Field);
   picture.Size = { size, size };
@@ -102,8 +98,7 @@ void VisibilityBench::Stage(
   scene.Apply(picture);
 }
 
-std::vector<double> VisibilityBench::Rays(
-  double angle, unsigned seed, const reference::Vector* axis) const
+std::vector<double> VisibilityBench::Rays(double angle, unsigned seed, const reference::Vector* axis) const
 {
   return reference::VisibilityAt(
     *this->Things, this->Points, reference::ConeRays{ angle, this->Setup.Rays, seed }, axis);

@@ -73,7 +73,8 @@ public:
     reference::VisibilityError Samples;
     PictureError Pixels;
   };
-  AlgorithmError JudgeAlgorithm(double angle, int size, double sliceDistance, reference::SweepSettings settings);
+  AlgorithmError JudgeAlgorithm(
+    double angle, int size, double sliceDistance, reference::SweepSettings settings);
   // What the noise of the truth's rays is, by another seed; and how far the cone about the slices' normal is
   // from that about the direction to the eye.
   AlgorithmError NoiseOfTruth(double angle);
@@ -96,7 +97,7 @@ private:
   reference::Scene World;
   std::unique_ptr<reference::Occluders> Things;
   std::vector<reference::ShownPoint> Points;
-  std::vector<double> Opacity; // of the pixels, by their points
+  std::vector<double> Opacity;                  // of the pixels, by their points
   std::map<double, std::vector<double>> Truths; // by angle
 };
 

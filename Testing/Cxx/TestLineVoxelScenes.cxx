@@ -36,8 +36,7 @@ void CheckChanges(Check& check)
   check.AtLeast("the lines are bright", BrightnessOf(last), 1.0);
   check.That(scene.Mapper->GetActiveTerms() == "Lines", "active: " + scene.Mapper->GetActiveTerms());
   const int links = scene.Mapper->GetProgramLinkCount();
-  auto* values =
-    vtkFloatArray::SafeDownCast(voxels->GetFieldData()->GetArray("LineType0_Coefficients"));
+  auto* values = vtkFloatArray::SafeDownCast(voxels->GetFieldData()->GetArray("LineType0_Coefficients"));
   std::fill_n(values->GetPointer(0), values->GetNumberOfValues(), 0.0F);
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(0.0, 0.0);
@@ -184,7 +183,8 @@ void CheckExtremes(Check& check)
   auto* values = vtkFloatArray::SafeDownCast(broken->GetFieldData()->GetArray("LineType0_Coefficients"));
   for (vtkIdType i = 0; i < values->GetNumberOfValues(); i += 37)
   {
-    const float odd[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e38F };
+    const float odd[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+      3e38F };
     values->SetValue(i, odd[i % 3]);
   }
   scene.Mapper->SetInputData(broken);

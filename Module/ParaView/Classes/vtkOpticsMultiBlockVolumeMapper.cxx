@@ -162,8 +162,8 @@ void vtkOpticsMultiBlockVolumeMapper::SelectScalars(vtkOpticsVolumeMapper* block
 void vtkOpticsMultiBlockVolumeMapper::SelectMagnitude(
   vtkOpticsVolumeMapper* block, vtkDataSet* data, vtkDataArray* vectors, bool ofCells)
 {
-  vtkFieldData* arrays =
-    ofCells ? static_cast<vtkFieldData*>(data->GetCellData()) : static_cast<vtkFieldData*>(data->GetPointData());
+  vtkFieldData* arrays = ofCells ? static_cast<vtkFieldData*>(data->GetCellData())
+                                 : static_cast<vtkFieldData*>(data->GetPointData());
   arrays->AddArray(MakeMagnitude(vectors));
   block->SetScalarMode(this->ScalarMode);
   block->SelectScalarArray(MagnitudeName);
@@ -231,8 +231,8 @@ std::string vtkOpticsMultiBlockVolumeMapper::DescribeInput(vtkVolume* volume)
   vtkDataObject* data = this->GetDataObjectInput();
   std::ostringstream text;
   text << data << ' ' << data->GetMTime() << ' ' << this->ScalarMode << ' ' << this->ArrayAccessMode << ' '
-       << this->ArrayId << ' ' << (this->ArrayName ? this->ArrayName : "") << ' ' << this->GetVectorMode() << ' '
-       << this->GetVectorComponent() << ' ' << volume->GetProperty()->GetIndependentComponents();
+       << this->ArrayId << ' ' << (this->ArrayName ? this->ArrayName : "") << ' ' << this->GetVectorMode()
+       << ' ' << this->GetVectorComponent() << ' ' << volume->GetProperty()->GetIndependentComponents();
   return text.str();
 }
 

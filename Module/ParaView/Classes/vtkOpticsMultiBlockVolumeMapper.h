@@ -15,8 +15,8 @@
 #define vtkOpticsMultiBlockVolumeMapper_h
 
 #include "vtkMultiBlockVolumeMapper.h"
-#include "vtkNew.h"                               // for the optics
-#include "vtkSmartPointer.h"                      // for the blocks
+#include "vtkNew.h"                        // for the optics
+#include "vtkSmartPointer.h"               // for the blocks
 #include "vtkVolumeOpticsParaViewModule.h" // for export macro
 
 #include <functional> // for the knobs

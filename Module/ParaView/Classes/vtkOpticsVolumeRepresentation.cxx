@@ -275,15 +275,13 @@ void vtkOpticsVolumeRepresentation::SetExtinctionGradient(int gradient)
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetScalarGradient(int gradient)
 {
-  this->GetBlocks()->SetKnob(
-    "ScalarGradient", [=](Mapper* mapper) { mapper->SetScalarGradient(gradient); });
+  this->GetBlocks()->SetKnob("ScalarGradient", [=](Mapper* mapper) { mapper->SetScalarGradient(gradient); });
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetLightingSamples(int samples)
 {
-  this->GetBlocks()->SetKnob(
-    "LightingSamples", [=](Mapper* mapper) { mapper->SetLightingSamples(samples); });
+  this->GetBlocks()->SetKnob("LightingSamples", [=](Mapper* mapper) { mapper->SetLightingSamples(samples); });
 }
 
 //------------------------------------------------------------------------------
@@ -321,8 +319,8 @@ void vtkOpticsVolumeRepresentation::UpdateLightingTransferFunction()
   }
   for (const Boundary& boundary : this->Light->Boundaries)
   {
-    const int index = function->AddBoundary(
-      boundary.A, boundary.B, boundary.Ambient, boundary.Diffuse, boundary.Specular);
+    const int index =
+      function->AddBoundary(boundary.A, boundary.B, boundary.Ambient, boundary.Diffuse, boundary.Specular);
     if (index >= 0)
     {
       function->SetSoftness(index, boundary.Softness);
@@ -350,7 +348,8 @@ void vtkOpticsVolumeRepresentation::UpdateMultiSampleClassification()
 void vtkOpticsVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  const bool hasArray = this->UseTransfer2D && !this->UseGradientForTransfer2D && !this->ColorArray2Name.empty();
+  const bool hasArray =
+    this->UseTransfer2D && !this->UseGradientForTransfer2D && !this->ColorArray2Name.empty();
   this->GetBlocks()->SetTransfer2DYAxisArray(hasArray ? this->ColorArray2Name.c_str() : nullptr);
   this->UpdateLightingTransferFunction();
   this->UpdateMultiSampleClassification();
