@@ -148,6 +148,10 @@ int vtkAmbientCovarianceFilter::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   const ImageGrid grid = this->GetGrid(inputs);
   if (this->Search->IsSearching())
   {

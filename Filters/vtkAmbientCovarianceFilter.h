@@ -167,16 +167,14 @@ protected:
     vtkInformationVector** inputs, volumeoptics::Batches& batches,
     volumeoptics::VoxelBox<float>& codes) override;
 
-  bool HasScalarRange() const { return this->ScalarRange[0] <= this->ScalarRange[1]; }
-
-  double ScalarRange[2] = { 1.0, 0.0 };
-
 private:
+  bool HasScalarRange() const { return this->ScalarRange[0] <= this->ScalarRange[1]; }
   // False if the filter must be executed again, with another extent of the input.
   bool FindRange(vtkInformationVector** inputs, vtkDataArray* scalars);
 
   double Radius = 10.0;
   double ScalarTolerance = 0.05;
+  double ScalarRange[2] = { 1.0, 0.0 };
   int NumberOfSamples = 100;
   int SamplingPattern = Shared;
   int SampleInterpolation = Nearest;

@@ -198,7 +198,7 @@ void vtkGradientAlignedHistogram::SetStepLength(double length)
 int vtkGradientAlignedHistogram::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (!this->HasExtent(inputs))
+  if (!IsComposite(inputs) && !this->HasExtent(inputs))
   {
     return 0;
   }
@@ -217,6 +217,10 @@ int vtkGradientAlignedHistogram::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   // All of it, for the range: a coarser grid may end before.
   inputs[0]->GetInformationObject(0)->Set(
     vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), this->GetGrid(inputs).InputWhole.data(), 6);

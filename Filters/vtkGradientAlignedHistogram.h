@@ -95,8 +95,6 @@ protected:
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) override;
   bool IsOnInputGrid() const override { return false; }
 
-  double ScalarRange[2] = { 1.0, 0.0 };
-
 private:
   vtkGradientAlignedHistogram(const vtkGradientAlignedHistogram&) = delete;
   void operator=(const vtkGradientAlignedHistogram&) = delete;
@@ -107,6 +105,7 @@ private:
   void Store(vtkInformationVector* outputs);
 
   int NumberOfBins = 256;
+  double ScalarRange[2] = { 1.0, 0.0 };
   double StepLength = 1.0;
   bool ResultOnAllProcesses = true;
   std::unique_ptr<Run> Current; // in an update

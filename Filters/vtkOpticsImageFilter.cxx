@@ -12,6 +12,7 @@
 #include "RangeSearch.h"
 #include "ScalarSource.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -134,6 +135,12 @@ ImageGrid vtkOpticsImageFilter::GetGrid(vtkInformationVector** inputs)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsImageFilter::IsComposite(vtkInformationVector** inputs)
+{
+  return vtkCompositeDataSet::GetData(inputs[0]) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
 {
   const bool hasExtent = inputs[0]->GetInformationObject(0)->Has(SDDP::WHOLE_EXTENT()) != 0;
@@ -148,6 +155,10 @@ bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
 int vtkOpticsImageFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   if (!this->HasExtent(inputs))
   {
     return 0;
@@ -216,6 +227,10 @@ int vtkOpticsImageFilter::GetGhostLevels(const ImageGrid& grid, vtkInformation* 
 int vtkOpticsImageFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   const ImageGrid grid = this->GetGrid(inputs);
   int extent[6];
   this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent);
@@ -238,15 +253,16 @@ int vtkOpticsImageFilter::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, int& association)
+vtkDataArray* vtkOpticsImageFilter::GetChosenArray(vtkInformationVector** inputs, int& association)
 {
   association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
   const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (!scalars && name && !*name)
+  vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  if (!scalars && input && name && !*name)
   {
     association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    scalars = vtkImageData::GetData(inputs[0])->GetPointData()->GetScalars();
+    scalars = input->GetPointData()->GetScalars();
   }
   return scalars;
 }
@@ -255,7 +271,7 @@ vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs, i
 vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 {
   int association;
-  vtkDataArray* scalars = this->FindScalars(inputs, association);
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
   if (!scalars || scalars->GetNumberOfTuples() == 0)
   {
     vtkErrorMacro("The input has no scalars to work on. Give it point scalars, or name an array by "
@@ -283,7 +299,7 @@ vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs)
 {
   int association;
-  vtkDataArray* scalars = this->FindScalars(inputs, association);
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
   const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
     association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     this->InputComponent < scalars->GetNumberOfComponents();

@@ -121,6 +121,11 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
+   * Whether the input is composite data, which the executive passes on block by block.
+   */
+  static bool IsComposite(vtkInformationVector** inputs);
+
+  /**
    * Whether the input has a whole extent; else an error.
    */
   bool HasExtent(vtkInformationVector** inputs);
@@ -203,10 +208,10 @@ protected:
 
 private:
   struct Part;
+  // An empty name, which ParaView passes where it does not know the input's arrays yet, stands for the active
+  // scalars of the points.
+  vtkDataArray* GetChosenArray(vtkInformationVector** inputs, int& association);
   Part GetPart(const volumeoptics::ImageGrid& whole, vtkInformation* output, vtkImageData* input);
-  // As named, or nullptr. An empty name, which ParaView passes where it does not know the input's arrays yet,
-  // stands for the active scalars of the points.
-  vtkDataArray* FindScalars(vtkInformationVector** inputs, int& association);
   vtkOpticsImageFilter(const vtkOpticsImageFilter&) = delete;
   void operator=(const vtkOpticsImageFilter&) = delete;
 };

@@ -76,6 +76,7 @@ set(rendering_sources
   IsosurfaceTexture
   JsonDocument
   LightUniforms
+  LightViews
   LightingBoundary
   LightingEditor
   LightingEditorKeys
@@ -95,6 +96,7 @@ set(rendering_sources
   MultiSampleRules
   MultiSampleTerm
   OcclusionTerm
+  OpaqueDepth
   OpticsFactory
   OpticsIsosurfaces
   OpticsMapperKnobs
@@ -110,6 +112,8 @@ set(rendering_sources
   ReflectanceTerm
   ScalarPair
   SceneNeeds
+  ShadowAtlas
+  ShadowTerm
   SweepGrid
   SweepProgram
   SweepTarget

@@ -3,6 +3,7 @@
 
 #include "OcclusionTerm.h"
 
+#include "Optics.h"
 #include "SceneNeeds.h"
 #include "SweepViews.h"
 #include "vtkOpticsVolumeMapper.h"
@@ -94,9 +95,8 @@ void OcclusionTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* progr
   texture->Activate(); // a sampler needs some texture of its kind
   program->SetUniformi("in_opticsOcclusion", texture->GetTextureUnit());
   SetGridUniform(grid, volume, "in_opticsOcclusionGrid", program);
-  // directions have equal shares of the cone's solid angle, as their cosines have of its range
-  const double meanCosine = 0.5 * (1.0 + std::cos(vtkMath::RadiansFromDegrees(this->Eye->GetConeAngle())));
-  const double numbers[3] = { 1.0 * grid.GetSize()[2], 1.0 / meanCosine, isSwept ? 1.0 : 0.0 };
+  const double cosine = std::cos(vtkMath::RadiansFromDegrees(this->Eye->GetConeAngle()));
+  const double numbers[3] = { 1.0 * grid.GetSize()[2], optics::MeanWayOut(cosine), isSwept ? 1.0 : 0.0 };
   program->SetUniform3f("in_opticsOcclusionNumbers", numbers);
   this->IsBound = isSwept;
 }

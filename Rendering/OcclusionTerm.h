@@ -30,6 +30,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   std::size_t GetMemorySize() const override;
 
+  vtkVisibilitySweep* GetSweep() const { return this->Eye; }
+
 private:
   bool Sweep(const OpticsScene& scene, const vtkVisibilitySweep::Volume& volume, const SweepGrid& grid);
 

@@ -189,6 +189,9 @@ void vtkOpticsVolumeMapper::SetQuality(int quality)
   this->StepInVoxels = preset.StepInVoxels;
   this->SetFrameResolutionFactor(preset.ResolutionFactor);
   this->SetFramePrecision(preset.Bits);
+  this->SetVisibilityGridSize(preset.VisibilityGridSize);
+  this->SetVisibilitySamples(preset.VisibilitySamples);
+  this->SetVisibilityPrecision(preset.VisibilityPrecision);
   this->GetAmbientCovarianceFilter()->SetNumberOfSamples(preset.Samples);
   this->GetAmbientCovarianceFilter()->SetFilterStandardDeviation(preset.FilterStandardDeviation);
 }

@@ -47,6 +47,8 @@
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
+#include "LineAmbient.h"
+#include "LineAmbientNone.h"
 #include "LineBlock.h"
 #include "LineBlockNone.h"
 #include "LineEvaluationFragment.h"
@@ -74,6 +76,7 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
+#include "OwnDepth.h"
 #include "OwnOpacity.h"
 #include "OwnOpacityInData.h"
 #include "ProjectedTetrahedraDec.h"
@@ -104,6 +107,9 @@
 #include "SegmentPost.h"
 #include "SegmentPreIntegrated.h"
 #include "SegmentSmooth.h"
+#include "ShadowLookup.h"
+#include "ShadowOfLight.h"
+#include "ShadowSurface.h"
 #include "SilhouetteClamped.h"
 #include "SilhouetteExact.h"
 #include "SilhouetteGeometry.h"
@@ -137,6 +143,7 @@
 #include "TransmittedSurface.h"
 #include "Visibility.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -233,10 +240,12 @@ const Row Table[] = {
   { F::HybridNormals, &ComputeLightingDec, HybridDec },
   { F::OwnOpacity, &ComputeLightingDec, OwnOpacity },
   { F::OwnOpacityInData, &ComputeLightingDec, OwnOpacityInData },
+  { F::VisibilitySweep, &ComputeLightingDec, OwnDepth },
   { F::OcclusionNone, &ComputeLightingDec, OcclusionNone },
   { F::Occlusion, &ComputeLightingDec, Occlusion },
   { F::AmbientLight, &ComputeLightingDec, AmbientColor },
   { F::AmbientAlone, &ComputeLightingDec, AmbientAlone },
+  { F::Shadows, &ComputeLightingDec, ShadowLookup },
   { F::Reflectance, &ComputeLightingDec, Lighting },
   { F::MultiSample, &ComputeLightingDec, SoftRange },
   { F::MultiSample, &ComputeLightingDec, MultiSampleRule },
@@ -247,7 +256,9 @@ const Row Table[] = {
   { F::HybridNormals, &SurfacePlace, HybridSurface },
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
   { F::AmbientLight, &SurfacePlace, AmbientSurface },
+  { F::Shadows, &SurfacePlace, ShadowSurface },
   { F::Transmitted, &SurfacePlace, TransmittedSurface },
+  { F::Shadows, &LightPlace, ShadowOfLight },
   { F::Transmitted, &LightPlace, TransmittedSide },
   { F::Transmitted, &TransmissionPlace, Transmitted },
 
@@ -285,6 +296,7 @@ const Row Table[] = {
   { F::VisibilitySweep, &ClippingImpl, SweepRayBegin },
   { F::Integral, &ClippingImpl, IntegralPath },
   { F::Integral, &ShadingInit, IntegralInit },
+  { F::Lines, &ShadingInit, LineShadingInit },
   { F::VisibilitySweep, &ShadingInit, SweepRayEnd },
   { F::SweepFrame, &ShadingInit, SweepFrame },
   { F::VisibilitySweep, &DepthPassImpl, SweepTerminate },
@@ -294,8 +306,9 @@ const Row Table[] = {
   { F::Lines, &ComputeRayDirectionDec, LineLookup },
   { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
   { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
+  { F::LineAmbientNone, &ComputeRayDirectionDec, LineAmbientNone },
+  { F::LineAmbient, &ComputeRayDirectionDec, LineAmbient },
   { F::Lines, &ComputeRayDirectionDec, LineRay },
-  { F::Lines, &ShadingInit, LineShadingInit },
   { F::Lines, &ShadingImpl, LineShadingImpl },
   { F::Lines, &AfterTerminateImpl, LineTerminate },
 };
@@ -347,11 +360,14 @@ std::string TextFor(const Place& place, const OpticsFeatures& features)
 }
 
 // GLSL arrays are sized by constants, and have at least one element.
-std::string NumberOfLightsText(int lights)
+std::string NumbersText(const OpticsFeatures& features)
 {
-  const int slots = lights > 0 ? lights : 1;
-  return "#define OPTICS_NUMBER_OF_LIGHTS " + std::to_string(lights) + "\n#define OPTICS_LIGHT_SLOTS " +
-    std::to_string(slots) + "\n";
+  const int slots = std::max(features.NumberOfLights, 1);
+  const std::string text = "#define OPTICS_NUMBER_OF_LIGHTS " + std::to_string(features.NumberOfLights) +
+    "\n#define OPTICS_LIGHT_SLOTS " + std::to_string(slots) + "\n";
+  return features.NumberOfShadowViews == 0
+    ? text
+    : text + "#define OPTICS_SHADOW_VIEWS " + std::to_string(features.NumberOfShadowViews) + "\n";
 }
 
 // Our own places are in our text; those that no term fills leave nothing behind.
@@ -381,7 +397,7 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
   if (features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone))
   {
     place.KeepsVTKText = false;
-    text.insert(0, NumberOfLightsText(features.NumberOfLights));
+    text.insert(0, NumbersText(features));
     FillOwnPlaces(text, features);
   }
   return Insert(fragment, place, text);

@@ -78,6 +78,7 @@ enum class OpticsFeature
   OwnOpacity,
   OwnOpacityInData,
   Occlusion,
+  Shadows,
   DataSpaceFormulas,
   VisibilityFormulas,
   VisibilitySweep, // the text serves a sweep as well (SweepProgram)
@@ -95,6 +96,8 @@ enum class OpticsFeature
   Lines, // anisotropic voxels are drawn in place of VTK's samples
   LineBlock,
   LineBlockNone,
+  LineAmbient,
+  LineAmbientNone,
   Count
 };
 
@@ -106,10 +109,12 @@ public:
   bool IsEmpty() const { return this->Bits.none(); }
   bool operator==(const OpticsFeatures& other) const
   {
-    return this->Bits == other.Bits && this->NumberOfLights == other.NumberOfLights;
+    return this->Bits == other.Bits && this->NumberOfLights == other.NumberOfLights &&
+      this->NumberOfShadowViews == other.NumberOfShadowViews;
   }
 
   int NumberOfLights = 0;
+  int NumberOfShadowViews = 0;
 
 private:
   std::bitset<static_cast<std::size_t>(OpticsFeature::Count)> Bits;

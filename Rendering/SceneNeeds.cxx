@@ -3,6 +3,7 @@
 
 #include "SceneNeeds.h"
 
+#include "LightUniforms.h"
 #include "LineVoxels.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -124,7 +125,7 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene) || WantsAmbientLight(scene));
+      TransmitsLight(scene) || (WantsAmbientLight(scene) && !HasLineVoxels(scene)) || WantsShadows(scene));
 }
 
 //------------------------------------------------------------------------------
@@ -214,6 +215,13 @@ bool WantsAmbientLight(const OpticsScene& scene)
 bool HasAmbientLight(const OpticsScene& scene)
 {
   return WantsAmbientLight(scene) && FindUnsupported(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool WantsShadows(const OpticsScene& scene)
+{
+  return scene.Optics->GetShadows() && scene.Volume->GetProperty()->GetShade() &&
+    CountLights(scene.Renderer) > 0;
 }
 
 //------------------------------------------------------------------------------

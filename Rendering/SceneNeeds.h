@@ -54,6 +54,9 @@ bool TransmitsLight(const OpticsScene& scene);
 bool WantsAmbientLight(const OpticsScene& scene);
 bool HasAmbientLight(const OpticsScene& scene);
 
+/** Whether the scene asks for shadows of lights, of which there are some. */
+bool WantsShadows(const OpticsScene& scene);
+
 /** Whether it is darkened by what is in front. */
 bool HasOcclusion(const OpticsScene& scene);
 

@@ -49,6 +49,8 @@ public:
   /** Froxels on x and y, and slices. */
   const int* GetSize() const { return this->Size; }
 
+  bool GetIsPerspective() const { return this->IsPerspective; }
+
   const double* GetWorldToView() const { return this->WorldToView; }
 
   /** Least and largest place on x and y. */

@@ -111,7 +111,9 @@ std::string SweepFragmentShader(const std::string& ray, const SweepProgram::Kind
   ReplaceOutputs(text);
   const std::size_t behindVersion = text.find('\n', text.find("#version")) + 1;
   text.insert(behindVersion,
-    "#define OPTICS_SWEEP\n#define OPTICS_SWEEP_DIRECTIONS " + std::to_string(kind.Directions) + "\n");
+    "#define OPTICS_SWEEP\n#define OPTICS_SWEEP_DIRECTIONS " + std::to_string(kind.Directions) + "\n" +
+      (kind.IsToViewer ? "#define OPTICS_SWEEP_TO_VIEWER\n" : "") +
+      (kind.HasGeometry ? "#define OPTICS_SWEEP_GEOMETRY\n" : ""));
   return text + (kind.IsDisk ? SweepDisk : SweepDirections) + SweepMain;
 }
 
@@ -149,6 +151,12 @@ void SweepProgram::CopyUniforms(vtkShaderProgram* ray)
   {
     CopyUniformArray(i, ray->GetHandle(), to, this->Values);
   }
+}
+
+//------------------------------------------------------------------------------
+std::string SweepProgram::GetFragmentShader() const
+{
+  return this->Program ? this->Program->GetFragmentShader()->GetSource() : std::string();
 }
 
 //------------------------------------------------------------------------------

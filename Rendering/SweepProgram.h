@@ -22,11 +22,14 @@ public:
   struct Kind
   {
     int Directions;
-    bool IsDisk; // [Schott2009]'s recursion
+    bool IsDisk;      // [Schott2009]'s recursion
+    bool IsToViewer;  // directions meet at the viewer
+    bool HasGeometry; // opaque, beside the volume
 
     bool operator==(const Kind& other) const
     {
-      return this->Directions == other.Directions && this->IsDisk == other.IsDisk;
+      return this->Directions == other.Directions && this->IsDisk == other.IsDisk &&
+        this->IsToViewer == other.IsToViewer && this->HasGeometry == other.HasGeometry;
     }
   };
 
@@ -38,6 +41,9 @@ public:
 
   /** The values that were copied last, one after the other. */
   const std::vector<char>& GetValues() const { return this->Values; }
+
+  /** As OpenGL gets it; empty before the first one. */
+  std::string GetFragmentShader() const;
 
   int GetLinkCount() const { return this->LinkCount; }
   void Release();

@@ -14,6 +14,14 @@ namespace
 {
 const float Light[4] = { 1.0F, 1.0F, 1.0F, 1.0F };
 
+// Each slice rounds what passed the one before: beyond this many a half float's last digit adds up.
+const int LargestNumberOfHalfSlices = 256;
+
+int BitsOfPassed(const SweepTarget::Format& format)
+{
+  return format.Size[2] > LargestNumberOfHalfSlices ? 32 : format.Bits;
+}
+
 unsigned int InternalFormat(int components, int bits)
 {
   const unsigned int one = bits == 8 ? GL_R8 : (bits == 16 ? GL_R16F : GL_R32F);
@@ -86,7 +94,7 @@ bool SweepTarget::Allocate(vtkOpenGLRenderWindow* window, const Format& format)
     for (int i = 0; i < format.GetNumberOfTextures(); ++i)
     {
       vtkTextureObject* passed = textures[i].Renew(window);
-      passed->SetInternalFormat(InternalFormat(components, format.Bits));
+      passed->SetInternalFormat(InternalFormat(components, BitsOfPassed(format)));
       textures[i].Interpolate();
       passed->SetWrapS(vtkTextureObject::ClampToBorder); // whatever comes from outside has met nothing
       passed->SetWrapT(vtkTextureObject::ClampToBorder);
@@ -182,7 +190,7 @@ std::size_t SweepTarget::GetMemorySize() const
   const std::size_t froxels = std::size_t(1) * size[0] * size[1];
   const int channels = this->Current.Directions == 1 ? 1 : 4 * this->Current.GetNumberOfTextures();
   const std::size_t passed = 2 * froxels * channels;
-  return (froxels * size[2] + passed) * this->Current.Bits / 8;
+  return (froxels * size[2] * this->Current.Bits + passed * BitsOfPassed(this->Current)) / 8;
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
 #include "SceneNeeds.h"
+#include "ShadowTerm.h"
 #include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -60,8 +61,10 @@ public:
   MultiSampleTerm MultiSample{ this->Frames };
   LineVoxelTerm Lines;
   OcclusionTerm Occlusion;
+  ShadowTerm Shadows;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines, &this->Occlusion };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines, &this->Occlusion,
+    &this->Shadows };
   vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of lines whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
@@ -288,12 +291,18 @@ void vtkOpticsVolumeMapper::SetLineBlockInputData(vtkImageData* voxels)
 }
 
 //------------------------------------------------------------------------------
+vtkImageData* vtkOpticsVolumeMapper::GetLineBlock()
+{
+  return this->Terms->Lines.GetBlock();
+}
+
+//------------------------------------------------------------------------------
 // Of the finer ones, where a block replaces lines.
 void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
   volumeoptics::GetVoxelSpacing(image, spacing);
-  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->Terms->Lines.GetBlock() : nullptr;
+  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->GetLineBlock() : nullptr;
   double ofBlock[3] = { spacing[0], spacing[1], spacing[2] };
   if (block)
   {
@@ -321,6 +330,12 @@ vtkAmbientCovarianceFilter* vtkOpticsVolumeMapper::GetAmbientCovarianceFilter()
 vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter()
 {
   return this->Terms->Frames.Provider.Curvature;
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilitySweep* vtkOpticsVolumeMapper::GetOcclusionSweep()
+{
+  return this->Terms->Occlusion.GetSweep();
 }
 
 //------------------------------------------------------------------------------

@@ -306,6 +306,7 @@ public:
    */
   void SetLineBlockInputConnection(vtkAlgorithmOutput* output);
   void SetLineBlockInputData(vtkImageData* voxels);
+  vtkImageData* GetLineBlock();
   ///@}
 
   ///@{
@@ -345,6 +346,12 @@ public:
    * VTK's sample distance. With a preset of Quality set before, it replaces the preset's own.
    */
   void SetSampleDistance(float distance) override;
+
+  /**
+   * The sweep from the eye that Occlusion is found by: for what it counts and says of the last frame. Its
+   * parameters are the mapper's and the property's.
+   */
+  vtkVisibilitySweep* GetOcclusionSweep();
 
   /** Names of the terms in the last frame, separated by commas; empty: VTK's own picture. */
   std::string GetActiveTerms();

@@ -15,6 +15,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,6 +125,12 @@ void vtkVisibilitySweep::SetPrecision(int bits)
 }
 
 //------------------------------------------------------------------------------
+void vtkVisibilitySweep::SetViewerDistance(double distance)
+{
+  volumeoptics::SetWithinRange(this, "ViewerDistance", distance, 0.0, VTK_DOUBLE_MAX, this->ViewerDistance);
+}
+
+//------------------------------------------------------------------------------
 int vtkVisibilitySweep::GetNumberOfChannels() const
 {
   return this->Algorithm == DirectionSweep ? this->NumberOfDirections : 1;
@@ -139,7 +146,8 @@ bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
   {
     return false;
   }
-  const SweepProgram::Kind kind = { this->GetNumberOfChannels(), this->Algorithm != DirectionSweep };
+  const SweepProgram::Kind kind = { this->GetNumberOfChannels(), this->Algorithm != DirectionSweep,
+    grid.GetIsPerspective() && this->ViewerDistance > 0.0, volume.Geometry != nullptr };
   vtkShaderProgram* program = this->Internals->Program.Use(volume.Window, volume.Ray, kind);
   if (program)
   {
@@ -160,9 +168,14 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
   }
   this->Internals->Last = stamp;
   this->SetUniforms(volume, grid, program);
+  this->SetGeometry(volume, grid, program);
   this->Internals->Target.Begin();
   this->DrawSlices(grid, program);
   this->Internals->Target.End();
+  if (volume.Geometry)
+  {
+    volume.Geometry->Deactivate();
+  }
   ++this->SweepCount;
 }
 
@@ -209,8 +222,14 @@ void vtkVisibilitySweep::SetConeUniforms(
     viewToData[2] * viewToData[2] + viewToData[6] * viewToData[6] + viewToData[10] * viewToData[10]);
   const double steps = axis * grid.GetSliceDistance() / volume.StepLength;
   program->SetUniformf("in_sweepStepsOfSlice", static_cast<float>(steps));
-  this->Algorithm == DirectionSweep ? this->SetDirections(viewToData, axis, program)
-                                    : this->SetDisk(viewToData, axis, program);
+  float columns[9];
+  for (int i = 0; i < 9; ++i)
+  {
+    columns[i] = static_cast<float>(viewToData[4 * (i % 3) + i / 3] / axis);
+  }
+  program->SetUniformMatrix3x3("in_sweepToSlices", columns);
+  program->SetUniformf("in_sweepViewerDistance", static_cast<float>(this->ViewerDistance));
+  this->Algorithm == DirectionSweep ? this->SetDirections(viewToData, axis, program) : this->SetDisk(program);
 }
 
 //------------------------------------------------------------------------------
@@ -233,14 +252,21 @@ void vtkVisibilitySweep::SetDirections(const double viewToData[16], double axis,
 }
 
 //------------------------------------------------------------------------------
-void vtkVisibilitySweep::SetDisk(const double viewToData[16], double axis, vtkShaderProgram* program)
+void vtkVisibilitySweep::SetGeometry(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program)
 {
-  float columns[9];
-  for (int i = 0; i < 9; ++i)
+  if (volume.Geometry)
   {
-    columns[i] = static_cast<float>(viewToData[4 * (i % 3) + i / 3] / axis);
+    volume.Geometry->Activate();
+    program->SetUniformi("in_sweepGeometry", volume.Geometry->GetTextureUnit());
+    const double range[3] = { volume.GeometryRange[0], volume.GeometryRange[1],
+      grid.GetIsPerspective() ? 1.0 : 0.0 };
+    program->SetUniform3f("in_sweepGeometryRange", range);
   }
-  program->SetUniformMatrix3x3("in_sweepToSlices", columns);
+}
+
+//------------------------------------------------------------------------------
+void vtkVisibilitySweep::SetDisk(vtkShaderProgram* program)
+{
   program->SetUniformi("in_sweepDiskSize", this->DiskSize);
   program->SetUniformf("in_sweepTrueDistances", this->TrueDistances ? 1.0F : 0.0F);
   program->SetUniformf("in_sweepSolidAngles", this->Algorithm == DiskSolidAngle ? 1.0F : 0.0F);
@@ -260,6 +286,8 @@ void vtkVisibilitySweep::DrawSlices(const SweepGrid& grid, vtkShaderProgram* pro
     const double widths[3] = { grid.GetWidth(depths[0]), grid.GetWidth(depths[1]), grid.GetWidth(depths[2]) };
     program->SetUniform3f("in_sweepDepths", depths);
     program->SetUniform3f("in_sweepWidths", widths);
+    // what is in front of the grid hides all of it
+    program->SetUniformf("in_sweepGeometryFront", slice > 0 ? static_cast<float>(depths[1]) : -VTK_FLOAT_MAX);
     program->SetUniformf("in_sweepWidth", static_cast<float>(grid.GetWidth(depth)));
     program->SetUniformf("in_sweepOtherWidth", static_cast<float>(grid.GetWidth(before)));
     this->Internals->Target.DrawSlice(slice, program);
@@ -271,6 +299,18 @@ vtkTextureObject* vtkVisibilitySweep::GetTexture()
 {
   TermTexture& texture = this->Internals->Target.GetVisibility();
   return texture ? texture.operator->() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkVisibilitySweep::GetProgramLinkCount()
+{
+  return this->Internals->Program.GetLinkCount();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkVisibilitySweep::GetFragmentShader()
+{
+  return this->Internals->Program.GetFragmentShader();
 }
 
 //------------------------------------------------------------------------------
@@ -296,6 +336,7 @@ void vtkVisibilitySweep::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DiskSize: " << this->DiskSize << "\n";
   os << indent << "TrueDistances: " << (this->TrueDistances ? "on" : "off") << "\n";
   os << indent << "Precision: " << this->Precision << "\n";
+  os << indent << "ViewerDistance: " << this->ViewerDistance << "\n";
   os << indent << "SweepCount: " << this->SweepCount << "\n";
   os << indent << "GridSize: " << this->GridSize[0] << ' ' << this->GridSize[1] << ' ' << this->GridSize[2]
      << "\n";

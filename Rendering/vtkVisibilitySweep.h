@@ -11,7 +11,8 @@
  * vtkOpticsVolumeProperty::Occlusion, and from each light for Shadows, by its own parameters of the same
  * names; this class need not be used to have either.
  *
- * The cone's axis is the normal of the slices: of a camera its direction of projection.
+ * The cone's axis is the normal of the slices, of a camera its direction of projection; or, in perspective,
+ * the line to the viewer (SetViewerDistance()).
  *
  * Source: [Schott2009] sections 3.2 to 3.4; the sweep along fixed directions is this module's own.
  *
@@ -25,6 +26,7 @@
 #include "vtkVolumeOpticsModule.h" // for export macro
 
 #include <memory> // for the implementation
+#include <string> // for the fragment shader
 #ifndef __VTK_WRAP__
 #include <utility> // for what has a time
 #include <vector>  // for what has a time
@@ -107,8 +109,22 @@ public:
   void SetPrecision(int bits);
   ///@}
 
+  ///@{
+  /**
+   * DirectionSweep in perspective: above 0, in world length, rays end on a disk at the viewer that appears
+   * under the cone's angle from this distance, as those to a lamp do. 0, the default: the cone's axis is the
+   * normal of the slices.
+   */
+  vtkGetMacro(ViewerDistance, double);
+  void SetViewerDistance(double distance);
+  ///@}
+
   /** Sweeps done. A sweep of what was swept last is not done again. */
   vtkGetMacro(SweepCount, int);
+
+  /** Shader programs linked, and the fragment shader of the last one; for inspection and tests. */
+  int GetProgramLinkCount();
+  std::string GetFragmentShader();
 
   /** Froxels on the x and y axis, and slices, of the last grid. */
   vtkGetVector3Macro(GridSize, int);
@@ -120,10 +136,12 @@ public:
   struct Volume
   {
     vtkOpenGLRenderWindow* Window;
-    vtkShaderProgram* Ray;     // that is about to draw the volume, its uniforms set, its textures bound
-    double TextureToWorld[16]; // of VTK's texture coordinates, row by row
-    double DataToWorld[16];    // of the coordinates in which VTK measures steps
-    double StepLength;         // of the ray, in those
+    vtkShaderProgram* Ray;      // that is about to draw the volume, its uniforms set, its textures bound
+    double TextureToWorld[16];  // of VTK's texture coordinates, row by row
+    double DataToWorld[16];     // of the coordinates in which VTK measures steps
+    double StepLength;          // of the ray, in those
+    vtkTextureObject* Geometry; // depth of opaque geometry, over the window of the grid; null: none
+    double GeometryRange[2];    // z in view coordinates of depths 0 and 1
     std::vector<std::pair<const void*, vtkMTimeType>> Times; // of what the textures are made of
   };
 
@@ -150,7 +168,8 @@ private:
   void SetUniforms(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
   void SetConeUniforms(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
   void SetDirections(const double viewToData[16], double axis, vtkShaderProgram* program);
-  void SetDisk(const double viewToData[16], double axis, vtkShaderProgram* program);
+  void SetGeometry(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
+  void SetDisk(vtkShaderProgram* program);
   void DrawSlices(const SweepGrid& grid, vtkShaderProgram* program);
 
   double ConeAngle = 60.0;
@@ -159,6 +178,7 @@ private:
   int DiskSize = 5;
   bool TrueDistances = true;
   int Precision = 16;
+  double ViewerDistance = 0.0;
   int SweepCount = 0;
   int GridSize[3] = { 0, 0, 0 };
 

@@ -36,7 +36,7 @@ struct GalleryOptions
   bool Force = false;
 };
 
-constexpr int TracedRays = 96;
+constexpr int TracedRays = 24; // from each of some dozens of samples of a pixel
 
 std::vector<GallerySection> ChosenSections(const GalleryOptions& options)
 {

@@ -10,19 +10,25 @@ namespace
 constexpr int TracedSize = 150;
 constexpr double WideAngle = 80.0, NarrowAngle = 50.0;
 constexpr double WholeSphere = 180.0;
+// What is seen of a flat, opaque surface is lit through the half of itself that is in front of it: at 80 degrees
+// by .36 of the light, the mean of c/(1 + c) over the cone's cosines c, at 50 degrees by .45.
+constexpr double Brightness = 2.4;
 
 // Lit by ambient light alone, on a background that dark creases stand out from.
-PictureSettings Unlit(PictureSettings settings)
+PictureSettings Ambient(PictureSettings settings)
 {
-  settings.Function.Shade = false;
-  settings.Background = { 0.55, 0.58, 0.62 };
+  settings.Optics.Model = "none";
+  settings.Function.Ambient = Brightness;
+  settings.Function.Diffuse = 0.0;
+  settings.Function.Specular = 0.0;
+  settings.Background = { 0.45, 0.48, 0.53 };
   settings.Visibility.Samples = 16;
   return settings;
 }
 
 PictureSettings Bone()
 {
-  PictureSettings settings = Unlit(Cranium());
+  PictureSettings settings = Ambient(Cranium());
   settings.Step = 0.5;
   settings.Function.Opacity = { { -1024.0, 0.0 }, { 180.0, 0.0 }, { 330.0, 0.8 }, { 3100.0, 0.9 } };
   settings.Function.Color = { { 0.0, 1.0, 0.96, 0.88 } };
@@ -39,14 +45,14 @@ PictureSettings Skin()
 
 PictureSettings Rings()
 {
-  PictureSettings settings = Unlit(MarschnerLobb());
+  PictureSettings settings = Ambient(MarschnerLobb());
   settings.Function.Color = { { 0.0, 1.0, 0.95, 0.85 } };
   return settings;
 }
 
 PictureSettings TubesInOneColor()
 {
-  PictureSettings settings = Unlit(Tubes());
+  PictureSettings settings = Ambient(Tubes());
   settings.Function.Opacity = { { 0.44, 0.0 }, { 0.56, 0.9 }, { 10.0, 0.9 } };
   settings.Function.Color = { { 0.0, 0.86, 0.94, 1.0 } };
   return settings;
@@ -58,12 +64,19 @@ PictureSettings Occluded(PictureSettings settings, double angle)
   return settings;
 }
 
+// Ambient light as bright as an occluded surface's.
+PictureSettings WithoutOcclusion(PictureSettings settings)
+{
+  settings.Function.Ambient = 1.0;
+  return settings;
+}
+
 // Diffuse light from near the camera, as in the lower row of the paper's Fig. 3.
 PictureSettings Lambert(PictureSettings settings)
 {
-  settings.Function.Shade = true;
+  settings.Optics.Model = "vtk";
   settings.Function.Ambient = 0.0;
-  settings.Function.Diffuse = 0.75;
+  settings.Function.Diffuse = 0.9;
   settings.Function.Specular = 0.0;
   settings.Lights = { { -8.0, 12.0, 1.0 } };
   return settings;
@@ -137,14 +150,14 @@ GallerySection TransparentSection()
     "elsewhere. "
     "A clipping plane takes what it removes out of the way of light, too: nothing is computed beforehand.",
     4, {}, false };
-  PictureSettings layers = Unlit(Cranium());
+  PictureSettings layers = Ambient(Cranium());
   layers.Step = 0.5;
   layers.Function.Opacity = { { -1024.0, 0.0 }, { -450.0, 0.0 }, { -300.0, 0.05 }, { -150.0, 0.08 },
     { 60.0, 0.01 }, { 150.0, 0.01 }, { 220.0, 0.2 }, { 330.0, 0.8 }, { 3100.0, 0.9 } };
   layers.Function.Color = { { -1024.0, 1.0, 0.75, 0.62 }, { 100.0, 1.0, 0.7, 0.58 }, { 220.0, 1.0, 0.9, 0.8 },
     { 3100.0, 1.0, 0.97, 0.9 } };
-  section.Pictures.push_back({ "occlusion-layers-off", "Skin over bone, no occlusion", "cranium", layers,
-    "Ambient light alone: a flat fog." });
+  section.Pictures.push_back({ "occlusion-layers-off", "Skin over bone, no occlusion", "cranium",
+    WithoutOcclusion(layers), "Ambient light alone: a flat fog." });
   section.Pictures.push_back(
     { "occlusion-layers", "Skin over bone, 80 degrees", "cranium", Occluded(layers, WideAngle), " " });
   PictureSettings open = Bone();
@@ -152,7 +165,7 @@ GallerySection TransparentSection()
   open.Camera.Elevation = 30.0;
   open.ClippingPlanes = { { { 0.0, 0.0, -1.0 }, { 0.5, 0.5, 0.72 } } };
   section.Pictures.push_back(
-    { "occlusion-clipped-off", "Skull cut open, no occlusion", "cranium", open, " " });
+    { "occlusion-clipped-off", "Skull cut open, no occlusion", "cranium", WithoutOcclusion(open), " " });
   section.Pictures.push_back({ "occlusion-clipped", "Skull cut open, 80 degrees", "cranium",
     Occluded(open, WideAngle), "The base of the skull is open to light from above." });
   return section;
@@ -162,7 +175,7 @@ GalleryPicture TracedBone(const std::string& name, const std::string& title, dou
 {
   PictureSettings settings = Bone();
   settings.Size = { TracedSize, TracedSize };
-  return { name, title, "cranium", settings, "Kept; minutes of rays, in double.", angle };
+  return { name, title, "cranium", settings, "Kept; minutes of rays, in double.", {}, angle };
 }
 
 GallerySection TracedSection()
@@ -183,8 +196,7 @@ GallerySection TracedSection()
 PictureSettings Shadowed(PictureSettings settings, double angle)
 {
   settings = Lambert(settings);
-  settings.Function.Ambient = 0.15;
-  settings.Function.Diffuse = 0.85;
+  settings.Function.Diffuse = 0.9;
   settings.Lights = { { -45.0, 40.0, 1.0 } };
   settings.Visibility.Shadows = angle >= 0.0;
   settings.Visibility.ShadowAngle = angle > 0.0 ? angle : 0.0;

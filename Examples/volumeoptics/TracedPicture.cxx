@@ -33,6 +33,9 @@ struct KeptPicture
 
 #include "TracedPictures.inc" // KeptPictures, made by CMake
 
+// Of the scene's steps: light falls steeply within a surface, and coarser ones show as rings.
+constexpr double StepShare = 0.25;
+
 void WritePng(const reference::Image& image, const std::string& file)
 {
   vtkNew<vtkImageData> bytes;
@@ -60,6 +63,7 @@ void TracePicture(VolumeScene& scene, double angle, int rays, const std::string&
   auto* volume = vtkVolume::SafeDownCast(scene.GetRenderer()->GetVolumes()->GetItemAsObject(0));
   const int* size = scene.GetWindow()->GetSize();
   reference::Scene traced = reference::SceneFromVTK(scene.GetRenderer(), volume, size[0], size[1]);
+  traced.step *= StepShare;
   const reference::Occluders things(traced, traced.grid.SmallestSpacing());
   const reference::ConeRays cone{ angle, rays, 1 };
   traced.visibility = [&](const reference::Vector& point, const reference::Vector& toViewer) {

@@ -134,7 +134,9 @@ void AddVisibility(CLI::App& trade)
   command->add_option("--rays", options->Rays, "Rays of the truth, at each sample")
     ->check(CLI::Range(4, 65536))
     ->capture_default_str();
-  command->add_flag("--without-frames", options->WithoutFrames, "The algorithms in double alone");
+  command->add_option("--part", options->Part, "The algorithms in double, the mapper's frames, or both")
+    ->check(CLI::IsMember({ "all", "algorithms", "frames" }))
+    ->capture_default_str();
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
   command->callback([options] { TradeVisibility(*options); });
 }

@@ -34,13 +34,29 @@ struct NamedAlgorithm
   SweepSettings Settings;
 };
 
-NamedAlgorithm Directions(int count, reference::SweepAxis axis = reference::SweepAxis::SliceNormal)
+// By the mapper's way unless named otherwise.
+NamedAlgorithm Directions(int count)
 {
   NamedAlgorithm result;
   result.Settings.samples = count;
-  result.Settings.axis = axis;
-  const bool isEye = axis == reference::SweepAxis::Eye;
-  result.Name = "sweep " + std::to_string(count) + (isEye ? ", about the eye" : "");
+  result.Settings.own = reference::OwnOpacity::AlongRay;
+  result.Name = "sweep " + std::to_string(count);
+  return result;
+}
+
+NamedAlgorithm DirectionsAboutTheEye()
+{
+  NamedAlgorithm result = Directions(8);
+  result.Settings.axis = reference::SweepAxis::Eye;
+  result.Name += " about the eye";
+  return result;
+}
+
+NamedAlgorithm DirectionsByHalfSlices()
+{
+  NamedAlgorithm result = Directions(8);
+  result.Settings.own = reference::OwnOpacity::HalfSlice;
+  result.Name += " with half slices";
   return result;
 }
 
@@ -50,6 +66,7 @@ NamedAlgorithm Disk(const std::string& name, SweepAlgorithm algorithm, int size 
   result.Name = name + " " + std::to_string(size) + " x " + std::to_string(size);
   result.Settings.algorithm = algorithm;
   result.Settings.samples = size;
+  result.Settings.own = reference::OwnOpacity::AlongRay;
   return result;
 }
 
@@ -57,21 +74,21 @@ NamedAlgorithm Disk(const std::string& name, SweepAlgorithm algorithm, int size 
 NamedAlgorithm PublishedDisk()
 {
   NamedAlgorithm result = Disk("disk as published", SweepAlgorithm::Disk);
-  result.Settings.attenuatesItself = false;
+  result.Settings.own = reference::OwnOpacity::None;
   result.Settings.axis = reference::SweepAxis::Eye;
   return result;
 }
 
 NamedAlgorithm ApproximatedDisk()
 {
-  NamedAlgorithm result = Disk("disk, approximated distances", SweepAlgorithm::Disk);
+  NamedAlgorithm result = Disk("disk with approximated distances", SweepAlgorithm::Disk);
   result.Settings.trueDistances = false;
   return result;
 }
 
 std::vector<NamedAlgorithm> Algorithms()
 {
-  return { Directions(4), Directions(8), Directions(16), Directions(8, reference::SweepAxis::Eye),
+  return { Directions(4), Directions(8), Directions(16), DirectionsByHalfSlices(), DirectionsAboutTheEye(),
     Disk("disk", SweepAlgorithm::Disk), Disk("disk by solid angle", SweepAlgorithm::DiskBySolidAngle),
     ApproximatedDisk(), PublishedDisk() };
 }
@@ -130,7 +147,7 @@ void TradeAlgorithms(VisibilityBench& bench, const std::string& folder)
     const std::string degrees = Number(angle) + " degrees, ";
     const auto noise = bench.NoiseOfTruth(angle), axis = bench.AxisOfCone(angle);
     table.Write("noise of the truth", angle, 0, 0.0, noise);
-    table.Write("cone about the slices' normal, by rays", angle, 0, 0.0, axis);
+    table.Write("rays about the slices' normal", angle, 0, 0.0, axis);
     PrintError(degrees + "noise of the truth", noise);
     PrintError(degrees + "cone about the slices' normal", axis);
   }
@@ -247,8 +264,11 @@ void TradeVisibility(const VisibilityTradeOptions& options)
   VisibilityBench bench(options);
   std::printf("Times are %s.\n",
     bench.IsSoftware() ? "the processor's, of all threads: frames are drawn by it" : "the clock's");
-  TradeAlgorithms(bench, options.Folder);
-  if (!options.WithoutFrames)
+  if (options.Part != "frames")
+  {
+    TradeAlgorithms(bench, options.Folder);
+  }
+  if (options.Part != "algorithms")
   {
     TradeFrames(bench, options.Folder);
   }

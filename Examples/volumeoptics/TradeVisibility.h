@@ -11,11 +11,11 @@
 struct VisibilityTradeOptions : VisibilityBench::Options
 {
   std::string Folder = "trade";
-  bool WithoutFrames = false;
+  std::string Part = "all"; // algorithms, frames
 };
 
-// Writes visibility-algorithms.csv and .svg (the algorithms in double) and, unless without frames,
-// visibility.csv and .svg (the mapper's frames); prints the figures.
+// Writes visibility-algorithms.csv and .svg (the algorithms in double), visibility.csv and .svg (the mapper's
+// frames); prints the figures.
 void TradeVisibility(const VisibilityTradeOptions& options);
 
 #endif

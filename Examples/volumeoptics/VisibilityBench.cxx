@@ -189,7 +189,8 @@ VisibilityBench::AlgorithmError VisibilityBench::JudgeAlgorithm(
   const reference::SliceFrame frame = reference::FrameOfCamera(this->World);
   settings.angle = angle;
   settings.froxels = reference::FroxelsOf(frame, size, sliceDistance);
-  return this->Compare(reference::FroxelSweep(*this->Things, frame, settings).At(this->Points), angle);
+  return this->Compare(
+    reference::FroxelSweep(*this->Things, frame, settings).At(*this->Things, this->Points), angle);
 }
 
 VisibilityBench::AlgorithmError VisibilityBench::NoiseOfTruth(double angle)

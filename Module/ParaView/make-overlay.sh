@@ -5,7 +5,7 @@
 # Makes a ParaView to build against and to run, beside Debian's VTK for Python.
 #
 #   Module/ParaView/make-overlay.sh FOLDER
-#   cmake -D ParaView_DIR=FOLDER/lib/<architecture>/cmake/paraview-5.11 ...
+#   cmake -D VOLUMEOPTICS_BUILD_PARAVIEW_PLUGIN=ON -D "ParaView_DIR=$(cat FOLDER/cmake-folder)" ...
 #
 # Debian's python3-paraview and python3-vtk9 exclude each other, but paraview-dev is of no use without the
 # first, and libvtk9-dev depends on the second. So python3-paraview is unpacked, not installed, and
@@ -23,8 +23,16 @@ mkdir -p "$folder/python3-paraview"
 folder=$(cd "$folder" && pwd)
 libraries=lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)
 
-# apt-get downloads into the current folder.
-(cd "$folder/python3-paraview" && apt-get download -q "python3-paraview=$version" && dpkg -x ./*.deb . && rm ./*.deb)
+# apt-get downloads into the current folder; where it has no lists of packages, root can get them.
+download() {
+  apt-get download -q "python3-paraview=$version" 2>/dev/null
+}
+(
+  cd "$folder/python3-paraview"
+  download || { apt-get update -q && download; }
+  dpkg -x ./*.deb .
+  rm ./*.deb
+)
 
 # Programs find Python's modules, and CMake's files their prefix, from where they really lie: these are
 # copied. Everything else is linked to.
@@ -48,4 +56,5 @@ cp -a "$folder/python3-paraview/usr/bin/." "$folder/bin/"
 ln -s "$folder/python3-paraview/usr/lib/python3" "$folder/lib/python3"
 mkdir -p "$folder/$libraries/vtk"
 ln -s "$folder/python3-paraview/usr/$libraries/vtk/hierarchy" "$folder/$libraries/vtk/hierarchy"
+echo "$folder/$libraries/cmake/paraview-5.11" >"$folder/cmake-folder"
 echo "$version" >"$folder/version"

@@ -14,6 +14,32 @@ uniform float in_sweepWidth;       // of this slice
 uniform float in_sweepOtherWidth;  // of the one before it
 uniform vec4 in_sweepWindowCode;   // scale and bias from places to texture coordinates
 
+#ifdef OPTICS_SWEEP_TO_VIEWER
+// Each direction ends in one point of a disk at the viewer.
+uniform mat3 in_sweepToSlices;        // a slope (x, y, -1) to the way from slice to slice, relative to their distance
+uniform float in_sweepViewerDistance; // from which the disk appears under the angle of the cone
+
+vec2 opticsSlope(int index, vec2 place)
+{
+  return in_sweepSlopes[index] * (in_sweepViewerDistance / in_sweepWidth) - place;
+}
+
+float opticsLength(int index, vec2 slope)
+{
+  return length(in_sweepToSlices * vec3(slope, -1.0));
+}
+#else
+vec2 opticsSlope(int index, vec2 place)
+{
+  return in_sweepSlopes[index];
+}
+
+float opticsLength(int index, vec2 slope)
+{
+  return in_sweepLengths[index];
+}
+#endif
+
 float g_sweepReaching = 0.0;
 
 vec4 opticsSweepFour(sampler2D passed, int first, vec2 place, float opacity)
@@ -21,11 +47,11 @@ vec4 opticsSweepFour(sampler2D passed, int first, vec2 place, float opacity)
   vec4 passing = vec4(0.0);
   for (int i = 0; i < min(4, OPTICS_SWEEP_DIRECTIONS); ++i)
   {
-    vec2 before = PlaceOnSlice(
-      place, in_sweepSlopes[first + i], in_sweepSliceDistance, in_sweepWidth, in_sweepOtherWidth);
+    vec2 slope = opticsSlope(first + i, place);
+    vec2 before = PlaceOnSlice(place, slope, in_sweepSliceDistance, in_sweepWidth, in_sweepOtherWidth);
     float reaching = texture(passed, before * in_sweepWindowCode.xy + in_sweepWindowCode.zw)[i];
     g_sweepReaching += reaching;
-    passing[i] = reaching * StretchTransmittance(opacity, opticsRelativeLength(in_sweepLengths[first + i]));
+    passing[i] = reaching * StretchTransmittance(opacity, opticsRelativeLength(opticsLength(first + i, slope)));
   }
   return passing;
 }

@@ -28,8 +28,28 @@ float opticsFroxelOpacity(vec2 place)
   return isSeen ? clamp(castRay(-1.0, -1.0).a, 0.0, 1.0) : 0.0;
 }
 
+#ifdef OPTICS_SWEEP_GEOMETRY
+uniform sampler2D in_sweepGeometry;   // depth of the opaque geometry that is nearest to the viewer
+uniform vec3 in_sweepGeometryRange;   // z of depth 0 and of depth 1; 1 in perspective
+uniform float in_sweepGeometryFront;  // least z that belongs to this slice
+
+bool opticsHoldsGeometry()
+{
+  float depth = texture(in_sweepGeometry, gl_FragCoord.xy * in_sweepFroxel).r;
+  float least = in_sweepGeometryRange.x;
+  float largest = in_sweepGeometryRange.y;
+  float z = in_sweepGeometryRange.z > 0.0 ? least * largest / mix(largest, least, depth) : mix(least, largest, depth);
+  return z >= in_sweepGeometryFront && z < in_sweepDepths.z;
+}
+#else
+bool opticsHoldsGeometry()
+{
+  return false;
+}
+#endif
+
 void main()
 {
   vec2 place = in_sweepWindow.xy + gl_FragCoord.xy * in_sweepFroxel * in_sweepWindow.zw;
-  opticsSweep(place, opticsFroxelOpacity(place));
+  opticsSweep(place, opticsHoldsGeometry() ? 1.0 : opticsFroxelOpacity(place));
 }

@@ -470,6 +470,7 @@ private:
         }
       }
       this->Add(49, std::cos(angle));
+      this->Add(55, std::cos(angle));
     }
     this->AddSlices();
   }
@@ -483,6 +484,7 @@ private:
       for (double length : { 0.0, 1e-6, 0.5, 1.0, 5.76, 1e6 })
       {
         this->Add(50, opacity, length);
+        this->Add(54, opacity, length);
       }
     }
     for (double scale : { 1e-6, 1.0, 1e6 })

@@ -279,6 +279,11 @@ vec4 EvaluateLineVoxel(int function, FunctionInput i)
   return vec4(color.x, color.y, color.z, 0.0);
 }
 
+vec4 EvaluateOwnVisibility(int function, FunctionInput i)
+{
+  return OneNumber(function == 54 ? StretchVisibility(i.p.x, i.p.y) : MeanWayOut(i.p.x)); // 54, 55
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
@@ -305,5 +310,9 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateLines(function, i);
   }
-  return function < 52 ? EvaluateVisibility(function, i) : EvaluateLineVoxel(function, i);
+  if (function < 52)
+  {
+    return EvaluateVisibility(function, i);
+  }
+  return function < 54 ? EvaluateLineVoxel(function, i) : EvaluateOwnVisibility(function, i);
 }

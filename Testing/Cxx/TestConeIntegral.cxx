@@ -84,7 +84,7 @@ void CheckRays(Check& check)
 {
   const Vector axis = glm::normalize(Vector(0.3, -0.5, 0.8));
   Vector mean(0.0);
-  for (const Vector& direction : ConeDirections(axis, { 60.0, Rays, 1 }))
+  for (const Vector& direction : ConeDirections(axis, { 60.0, Rays, 1 }, 1))
   {
     check.Near("unit", glm::length(direction), 1.0, Rounding);
     check.AtLeast("in the cone", glm::dot(direction, axis), 0.5 - Rounding);

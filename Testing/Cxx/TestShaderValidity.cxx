@@ -11,6 +11,7 @@
 #include "TetrahedraScene.h"
 
 #include "vtkAmbientCovarianceFilter.h"
+#include "vtkVisibilitySweep.h"
 #include "vtkLight.h"
 
 #include <fstream>
@@ -202,6 +203,45 @@ void ValidateLighting(Check& check, Validation& validation)
   }
 }
 
+// Occlusion on each kind of opacity, with and without Shade: the ray's text and the sweep's own.
+void ValidateOcclusion(Check& check, Validation& validation)
+{
+  Choices kinds = Gradients;
+  kinds.insert(kinds.end(), Integrals.begin(), Integrals.end());
+  for (const Row& row : Rows)
+  {
+    for (const char* name :
+      { "cropping", "clipping planes", "2D transfer function", "binary mask", "label map" })
+    {
+      if (row.Name == std::string(name))
+      {
+        kinds.push_back({ row.Name, row.Apply });
+      }
+    }
+  }
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+  {
+    TestScene scene;
+    scene.Window->SetSize(8, 8);
+    scene.Source->SetDimensions(8, 8, 8);
+    const ShaderText shader(scene.Mapper);
+    kinds[i].Apply(scene);
+    scene.Property->OcclusionOn();
+    scene.Property->SetShade(i % 2 == 0);
+    scene.Optics->SetVisibilitySamples(4 << (i % 3));
+    scene.Optics->SetVisibilityAlgorithm(i % 4 == 3 ? 1 : 0);
+    if (scene.Property->GetIntegrationSpace() == vtkOpticsVolumeProperty::Data)
+    {
+      scene.Property->AddIsosurface(0.5, 0.5);
+    }
+    scene.Render();
+    scene.Render();
+    const std::string name = "Occlusion-" + std::to_string(i);
+    validation.Add(check, name, shader.Text);
+    validation.Add(check, name + "-sweep", scene.Optics->GetOcclusionSweep()->GetFragmentShader());
+  }
+}
+
 // Lines, with and without a block, cropped and not.
 void ValidateLines(Check& check, Validation& validation)
 {
@@ -246,6 +286,7 @@ int TestShaderValidity(int, char*[])
   Check check;
   Validation validation;
   ValidateLighting(check, validation);
+  ValidateOcclusion(check, validation);
   ValidateLines(check, validation);
   ValidateTetrahedra(check, validation);
   ValidateAll(check, validation, { Models, Storages, Gradients, Lights });

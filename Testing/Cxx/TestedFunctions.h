@@ -202,6 +202,9 @@ const std::vector<TestedFunction>& TestedFunctions()
       },
       4.0, 16.0 },
     { "ColorOfLines", relative, 4.0, 8.0 },
+    { "StretchVisibility", one, 40.0, 160.0 },
+    // the logarithm of a number next to 1, at least 0.05 away
+    { "MeanWayOut", one, 40.0, 80.0 },
   };
   return functions;
 }

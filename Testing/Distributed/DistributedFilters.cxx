@@ -17,6 +17,7 @@
 #include "vtkExecutive.h"
 #include "vtkExtentTranslator.h"
 #include "vtkFloatingPointExceptions.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
@@ -280,6 +281,30 @@ void CheckOneProcessHasAll(Processes& all, FilterTest& test, const Scene& scene)
   test.Compare(whole, covariance->GetOutput(), "AmbientCovariance", "one process has all: ");
 }
 
+// Blocks, of which each process has another number, are volumes of their own.
+void CheckBlocks(Processes& all, const Scene& scene, testing::Report& report)
+{
+  vtkNew<vtkAmbientCovarianceFilter> covariance;
+  covariance->SetRadius(3.0);
+  const Image whole = WholeOf(covariance, scene.Whole);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int block = 0; block <= all.Rank(); ++block)
+  {
+    blocks->SetBlock(block, scene.Whole);
+  }
+  covariance->SetInputDataObject(blocks);
+  covariance->SetController(vtkMultiProcessController::GetGlobalController());
+  covariance->UpdatePiece(all.Rank(), all.Size(), 0);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(covariance->GetOutputDataObject(0));
+  report.Check(output != nullptr, "blocks give blocks");
+  for (int block = 0; output && block <= all.Rank(); ++block)
+  {
+    auto* image = vtkImageData::SafeDownCast(output->GetBlock(block));
+    report.CheckAtMost(image ? testing::CountDifferent(whole, image, "AmbientCovariance") : 1.0, 0.0,
+      "block " + std::to_string(block) + ": voxels that differ");
+  }
+}
+
 // A process without the array fails in words, and no other one waits for it.
 void CheckMissingArray(Processes& all, const Scene& scene, testing::Report& report)
 {
@@ -317,6 +342,7 @@ int main(int argc, char* argv[])
   CheckNormalsInput(all, test, block);
   CheckFixedPieces(all, test, block, report);
   CheckOneProcessHasAll(all, test, block);
+  CheckBlocks(all, block, report);
   CheckMissingArray(all, block, report);
   return all.ExitCode(report.ExitCode());
 }

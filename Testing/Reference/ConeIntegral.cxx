@@ -22,8 +22,8 @@ namespace
 constexpr double TwoPi = 6.283185307179586;
 // A face belongs to the volume, whatever rounding says.
 constexpr double Slack = 1.0e-9;
-// Nothing of a ray is left to be seen.
-constexpr double OpaqueEnough = 30.0;
+// Of a ray 6e-6 is left.
+constexpr double OpaqueEnough = 12.0;
 
 // The splitmix64 generator: the same numbers everywhere, and for any number of threads.
 class RandomNumbers

@@ -56,14 +56,22 @@ enum class SweepAxis
   Eye // rays of a direction meet in one point on the eye's plane: exact on one slice, the middle one
 };
 
+// What of its own slice takes light from a sample.
+enum class OwnOpacity
+{
+  None = 0,  // as published: too bright by a slice
+  HalfSlice, // known at the froxels
+  AlongRay   // what the eye's ray meets from the slice in front on, as the mapper takes it
+};
+
 struct SweepSettings
 {
   SweepAlgorithm algorithm = SweepAlgorithm::Directions;
   SweepAxis axis = SweepAxis::SliceNormal;
-  double angle = 60.0;                         // half angle in degrees
-  int samples = 8;                             // directions, or points along a side of the disk's grid
-  bool trueDistances = true;                   // of the disk: Algorithm 2, else 3
-  bool attenuatesItself = true;                // a sample by half of its own slice; false: as published
+  double angle = 60.0;       // half angle in degrees
+  int samples = 8;           // directions, or points along a side of the disk's grid
+  bool trueDistances = true; // of the disk: Algorithm 2, else 3
+  OwnOpacity own = OwnOpacity::HalfSlice;
   std::array<int, 3> froxels = { 64, 64, 64 }; // columns, rows, slices
 };
 
@@ -80,9 +88,10 @@ public:
       column];
   }
   Vector Center(int column, int row, int slice) const;
-  // Interpolated between the centres of froxels, as a linear texture that is clamped to its edge.
+  // Interpolated between the centres of froxels, as a linear texture that is clamped to its edge; with
+  // OwnOpacity::AlongRay what reaches the slice in front.
   double At(const Vector& point) const;
-  std::vector<double> At(const std::vector<ShownPoint>& points) const;
+  std::vector<double> At(const Occluders& occluders, const std::vector<ShownPoint>& points) const;
 
 private:
   struct Channel;

@@ -45,8 +45,7 @@ public:
 
   ///@{
   /**
-   * Integration: vtkOpticsVolumeProperty. An isosurface of a colour of its own is value, red, green, blue,
-   * opacity, one after the other; without, value and opacity.
+   * Integration: vtkOpticsVolumeProperty. The colour of an isosurface is that of the colour function.
    */
   void SetIntegrationSpace(int space);
   void SetClassification(int classification);
@@ -75,6 +74,25 @@ public:
 
   ///@{
   /**
+   * Occlusion and shadows: vtkOpticsVolumeProperty.
+   */
+  void SetOcclusion(bool on);
+  void SetOcclusionAngle(double degrees);
+  void SetAmbientColor(double red, double green, double blue);
+  void SetShadows(bool on);
+  void SetShadowAngle(double degrees);
+  ///@}
+
+  ///@{
+  /**
+   * Voxels of lines: vtkOpticsVolumeMapper, the scales for lines of all types.
+   */
+  void SetLineRadiusScale(double scale);
+  void SetLineOpacityScale(double scale);
+  ///@}
+
+  ///@{
+  /**
    * Quality: vtkOpticsVolumeMapper and its vtkAmbientCovarianceFilter. What a preset holds counts while
    * Quality is Custom.
    */
@@ -91,6 +109,10 @@ public:
   void SetLightingTableSize(int size);
   void SetPreIntegrationTableSize(int size);
   void SetTablePrecision(int bits);
+  void SetVisibilityGridSize(int froxels);
+  void SetVisibilitySamples(int directions);
+  void SetVisibilityPrecision(int bits);
+  void SetLinePrecision(int bits);
   ///@}
 
 protected:
