@@ -83,7 +83,7 @@ GallerySection LightSection()
     "the view changes.",
     4, {}, false };
   LinePicture lines = Ring(1000000, 0.00025);
-  const PictureSettings above = ViewFrom(25.0, 35.0, 1.45), below = ViewFrom(25.0, -35.0, 1.45);
+  const PictureSettings above = ViewFrom(25.0, 50.0, 1.4), below = ViewFrom(25.0, -50.0, 1.4);
   section.Pictures.push_back(
     Picture("ring-headlight", "Headlight", lines, above, "Brightest where lines run across the view."));
   section.Pictures.push_back(
@@ -102,32 +102,55 @@ GallerySection TypesSection()
     "After Figs. 6 and 7: ten times as many lines in the same voxels. Line types are separate sets of "
     "coefficients: radii and opacity are factors of what is drawn, and nothing is voxelized again.",
     3, {}, false };
-  LinePicture lines = Ring(10000000, 0.00005);
-  const PictureSettings view = ViewFrom(25.0, 35.0, 1.45);
+  LinePicture lines = Ring(10000000, 0.0001);
+  const PictureSettings view = ViewFrom(25.0, 50.0, 1.4);
   lines.RadiusScales = { 0.0, 3.0 };
   section.Pictures.push_back(Picture("ring-primaries", "Primary lines alone", lines, view,
     "The middle; the radius of the lines in bands is 0."));
-  lines.RadiusScales = { 0.12, 3.0 };
-  section.Pictures.push_back(Picture(
-    "ring-secondaries", "With thin secondaries", lines, view, "Bands an eighth as thick give the context."));
+  lines.RadiusScales = { 0.06, 3.0 };
+  section.Pictures.push_back(Picture("ring-secondaries", "With thin secondaries", lines, view,
+    "Bands of a sixteenth of their radius give the context."));
   lines.RadiusScales = { 1.0, 1.0 };
   section.Pictures.push_back(
     Picture("ring-radii", "One radius", lines, view, "The bands outnumber and hide the middle."));
-  for (const double opacity : { 0.02, 0.1, 0.5 })
+  for (const double opacity : { 0.04, 0.15, 0.6 })
   {
     lines.OpacityScale = opacity;
     const std::string percent = std::to_string(static_cast<int>(100.0 * opacity + 0.5));
     section.Pictures.push_back(
       Picture("ring-opacity-" + percent, "Opacity times " + percent + " %", lines, view,
-        opacity < 0.05    ? "Global structure: how many lines lie behind each other."
+        opacity < 0.1     ? "Global structure: how many lines lie behind each other."
           : opacity < 0.2 ? "Between the two."
                           : "Local structure: the outermost lines."));
   }
+  return section;
+}
+
+GallerySection BlockSection()
+{
+  GallerySection section{ "Lines: a finer block",
+    "After Fig. 7: once the whole has been seen, a block of voxels five times as fine replaces a region of "
+    "it. "
+    "It is made of the same lines, and takes its place by one call.",
+    3, {}, false };
+  LinePicture lines = Ring(1000000, 0.00025);
+  section.Pictures.push_back(Picture(
+    "block-overview", "Overview", lines, ViewFrom(25.0, 50.0, 1.4), "256 voxels along the longest side."));
+  PictureSettings close = ViewFrom(0.0, 0.0, 1.0);
+  close.Camera.FocalPoint = { 0.34, -0.73, 0.25 };
+  close.Camera.Position = { 0.61, -1.3, 0.89 };
+  close.Camera.ViewUp = { 0.0, 0.0, 1.0 };
+  close.Step = 0.002;
+  section.Pictures.push_back(
+    Picture("block-coarse", "A region of it", lines, close, "Bands; voxels blur the lines in them."));
+  lines.Block = { 0.15, 0.53, -0.9, -0.52, 0.05, 0.4 };
+  section.Pictures.push_back(
+    Picture("block-fine", "With a finer block", lines, close, "Single lines in the block, none beside it."));
   return section;
 }
 }
 
 std::vector<GallerySection> LineSections()
 {
-  return { SpiralsSection(), LightSection(), TypesSection() };
+  return { SpiralsSection(), LightSection(), TypesSection(), BlockSection() };
 }

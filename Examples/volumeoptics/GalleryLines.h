@@ -23,10 +23,11 @@ struct LinePicture
   std::array<double, 3> WorldLight = { 0.0, 0.0, 0.0 }; // direction to it; 0: a headlight
   std::array<double, 2> RadiusScales = { 1.0, 1.0 };    // of the line types 0 and 1
   double OpacityScale = 1.0;
+  std::vector<double> Block = {}; // least and largest x, y, z of a region with finer voxels; empty: none
 };
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-  LinePicture, Source, Segments, Radius, Grid, AsTubes, WorldLight, RadiusScales, OpacityScale)
+  LinePicture, Source, Segments, Radius, Grid, AsTubes, WorldLight, RadiusScales, OpacityScale, Block)
 
 struct GallerySection;
 

@@ -133,6 +133,13 @@ void LineScene::SetOpacityScale(int type, double scale)
   this->Scene->GetMapper()->SetLineOpacityScale(type, scale);
 }
 
+void LineScene::SetLight(const LineSettings& settings, const LightSettings& light)
+{
+  vtkRenderer* renderer = this->Scene->GetRenderer();
+  renderer->RemoveAllLights();
+  renderer->AddLight(MakeLight(settings, light));
+}
+
 double LineScene::Render()
 {
   return this->Scene->Render();

@@ -54,6 +54,8 @@ public:
   vtkAnisotropicVoxelEvaluator* GetEvaluator() { return this->Evaluator; }
   void SetRadiusScale(int type, double scale);
   void SetOpacityScale(int type, double scale);
+  // Lights the rest of the scene as SetUpVoxelizer() did the lines.
+  void SetLight(const LineSettings& settings, const LightSettings& light);
   VolumeScene& GetScene() { return *this->Scene; }
   // Seconds from the call to the finished frame, evaluation included.
   double Render();

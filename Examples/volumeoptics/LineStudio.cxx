@@ -7,10 +7,13 @@
 #include "RingFlow.h"
 
 #include "vtkAnalyticLineSource.h"
+#include "vtkOpticsVolumeMapper.h"
 
+#include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkRenderer.h>
 #include <vtkTimerLog.h>
 
 #include <algorithm>
@@ -38,7 +41,8 @@ vtkSmartPointer<vtkImageData> Voxelize(vtkPolyData* data, const LinePicture& lin
 {
   vtkNew<vtkAnisotropicLineVoxelizer> voxelizer;
   const LineSettings settings = SettingsOf(lines);
-  SetUpVoxelizer(settings, LightSettings(), data->GetBounds(), voxelizer);
+  const double* bounds = lines.Block.empty() ? data->GetBounds() : lines.Block.data();
+  SetUpVoxelizer(settings, LightSettings(), bounds, voxelizer);
   if (HasTypes(lines))
   {
     vtkNew<vtkProperty> orange;
@@ -85,7 +89,9 @@ vtkImageData* LineStudio::VoxelsOf(const LinePicture& lines)
     vtkPolyData* data = this->LinesOf(lines);
     const double start = vtkTimerLog::GetUniversalTime();
     this->Voxels = nullptr;
-    this->Voxels = Voxelize(data, lines);
+    LinePicture whole = lines;
+    whole.Block.clear();
+    this->Voxels = Voxelize(data, whole);
     this->VoxelSeconds = vtkTimerLog::GetUniversalTime() - start;
     this->VoxelKey = key;
   }
@@ -97,6 +103,7 @@ LineStudio::Result LineStudio::Draw(
   const LinePicture& lines, const PictureSettings& picture, const std::string& path)
 {
   LineScene scene(this->VoxelsOf(lines), picture, this->Kind);
+  scene.SetLight(SettingsOf(lines), LightSettings());
   Result result;
   if (lines.AsTubes)
   {
@@ -111,7 +118,12 @@ LineStudio::Result LineStudio::Draw(
       scene.SetRadiusScale(type, lines.RadiusScales[type]);
       scene.SetOpacityScale(type, lines.OpacityScale);
     }
+    if (!lines.Block.empty())
+    {
+      scene.GetScene().GetMapper()->SetLineBlockInputData(Voxelize(this->LinesOf(lines), lines));
+    }
     scene.Render();
+    scene.GetScene().GetRenderer()->GetActiveCamera()->Azimuth(1e-6); // evaluates again
     result.FrameSeconds = scene.Render();
     result.VoxelSeconds = this->VoxelSeconds;
     scene.GetScene().WritePng(path);

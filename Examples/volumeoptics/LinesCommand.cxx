@@ -167,6 +167,7 @@ void Draw(LinesOptions& options)
     WriteVoxels(voxels, options.VoxelFile);
   }
   LineScene scene(voxels, options.Picture, OffScreenWindow(options.Headless), options.Renderer);
+  scene.SetLight(options.Lines, options.Picture.Lights[0]);
   scene.SetRadiusScale(0, options.Lines.RadiusScale);
   const double seconds = scene.Render();
   scene.GetScene().WritePng(options.Output);

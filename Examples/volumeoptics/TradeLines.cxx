@@ -120,7 +120,7 @@ vtkSmartPointer<vtkImageData> Voxelize(vtkPolyData* lines, const Setting& settin
   return voxelizer->GetOutput();
 }
 
-Result Measure(vtkPolyData* lines, const Setting& setting, const LinesTradeOptions& options)
+Result Measure(vtkPolyData* lines, const Setting& setting, vtkCamera* view, const LinesTradeOptions& options)
 {
   Result result;
   double start = ProcessorSeconds();
@@ -131,6 +131,7 @@ Result Measure(vtkPolyData* lines, const Setting& setting, const LinesTradeOptio
   scene.GetEvaluator()->SetViewDirections(setting.PerBlock);
   scene.GetScene().GetMapper()->SetLinePrecision(setting.Bits);
   vtkCamera* camera = scene.GetScene().GetRenderer()->GetActiveCamera();
+  camera->DeepCopy(view);
   camera->Azimuth(1.0);
   scene.Render(); // compiles, uploads
   camera->Azimuth(-1.0);
@@ -193,9 +194,11 @@ void TradeLines(const LinesTradeOptions& options)
   vtkPolyData* lines = source->GetOutput();
   Setting first{ "", "", Spirals(options.Radius) };
   FramePicture truth;
+  vtkNew<vtkCamera> camera; // that of the tubes, whatever the bounds of what is drawn
   {
     const Progress tubes("Drawing tubes at 10 x 10 the resolution");
     LineScene scene(Voxelize(lines, first), MakePicture(options.Size), OffScreenWindow(options.Headless));
+    camera->DeepCopy(scene.GetScene().GetRenderer()->GetActiveCamera());
     truth = DrawTubes(lines, Spirals(options.Radius), scene.GetScene()).Frame;
   }
   WritePng(truth, options.Folder + "/lines-tubes.png");
@@ -211,7 +214,7 @@ void TradeLines(const LinesTradeOptions& options)
     {
       continue;
     }
-    const Result result = Measure(lines, setting, options);
+    const Result result = Measure(lines, setting, camera, options);
     const double raw = SignalToNoise(truth, result.Frame);
     const double reduced = SignalToNoise(smallTruth, Reduced(result.Frame, 2));
     csv.Write(setting.Knob, setting.Value, result.VoxelizeSeconds, result.FrameSeconds, result.VoxelMiB,

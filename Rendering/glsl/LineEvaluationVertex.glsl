@@ -99,7 +99,10 @@ vec4 LinesOfType(int type, int voxel)
   return vec4(color * depth, depth);
 }
 
-// Colour times opacity, opacity.
+// As opaque as makes a difference; half floats hold it, and the depth of what an opacity function makes opaque.
+const float LargestLineDepth = 12.0;
+
+// Colour times optical depth, optical depth: what may be interpolated without a loss of extinction.
 vec4 EvaluatedVoxel(int voxel)
 {
   uvec4 place = texelFetch(in_voxels, PlaceInRows(voxel, textureSize(in_voxels, 0).x), 0);
@@ -112,7 +115,7 @@ vec4 EvaluatedVoxel(int voxel)
   float opacity = OneMinusExp(lines.a);
   float code = opacity * in_opacityFunctionCode.x + in_opacityFunctionCode.y;
   float mapped = clamp(textureLod(in_opacityFunction, code, 0.0).r, 0.0, 1.0);
-  float drawn = in_mapsOpacity == 1 ? mapped : opacity;
+  float drawn = min(in_mapsOpacity == 1 ? OpticalDepth(mapped) : lines.a, LargestLineDepth);
   return lines.a > 0.0 ? vec4(vec3(lines) / lines.a * drawn, drawn) : vec4(0.0);
 }
 

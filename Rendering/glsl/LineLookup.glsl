@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Place ComputeRayDirection::Dec. Looks anisotropic voxels up: interpolated between their middles, as they are beyond
-// the outermost ones. Needs Opacity.
+// the outermost ones.
 
 // Of LineAtlas.h.
 const float OpticsLineBrick = 4.0;
@@ -26,7 +26,7 @@ vec3 opticsLineTile(vec3 position, vec3 dimensions)
   return min(floor(middles / OpticsLineBrick), ceil(dimensions / OpticsLineBrick) - 1.0);
 }
 
-// Colour, and optical depth over the length that the voxels' opacity belongs to. Colours are weighted by opacity.
+// Colour, and optical depth over the length that the voxels' opacity belongs to. Colours are weighted by depth.
 vec4 opticsLinesIn(usampler3D bricks, sampler2D atlas, vec3 position, vec3 dimensions)
 {
   vec3 tile = opticsLineTile(position, dimensions);
@@ -42,7 +42,7 @@ vec4 opticsLinesIn(usampler3D bricks, sampler2D atlas, vec3 position, vec3 dimen
   vec4 before = texture(atlas, texel * scale);
   vec4 behind = texture(atlas, (texel + vec2(OpticsLineBrick + 1.0, 0.0)) * scale);
   vec4 associated = mix(before, behind, inTile.z - slice);
-  return vec4(vec3(associated) / max(associated.a, 1.0e-7), OpticalDepth(min(associated.a, 1.0)));
+  return vec4(vec3(associated) / max(associated.a, 1.0e-7), associated.a);
 }
 
 // Whole steps to the first place beyond the brick that holds the position, if nothing is drawn in it; otherwise 0.

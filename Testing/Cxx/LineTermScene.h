@@ -174,7 +174,7 @@ private:
     return glm::dvec3(moved) / moved.w;
   }
 
-  // Weighted by opacity between the voxels' middles, constant beyond the outermost ones.
+  // Depths, and colours weighted by them, between the voxels' middles, constant beyond the outermost ones.
   glm::dvec4 Interpolate(const glm::dvec3& point) const
   {
     const glm::dvec3 voxel = (point - this->Grid.Corner) / this->Grid.Voxel;
@@ -194,11 +194,11 @@ private:
       const glm::dvec3 weights = glm::mix(1.0 - share, share, glm::dvec3(offset));
       const float* rgba =
         this->Rgba->GetPointer(4 * (at.x + static_cast<vtkIdType>(size.x) * (at.y + size.y * at.z)));
-      sum += weights.x * weights.y * weights.z * glm::dvec4(rgba[0], rgba[1], rgba[2], 1.0) * double(rgba[3]);
+      const double depth = std::min(-std::log1p(-std::min(double(rgba[3]), 1.0 - 1e-16)), 12.0);
+      sum += weights.x * weights.y * weights.z * depth * glm::dvec4(rgba[0], rgba[1], rgba[2], 1.0);
     }
     const double unit = 4.0 * this->Grid.Volume() / this->Grid.Surface();
-    return glm::dvec4(
-      glm::dvec3(sum) / std::max(sum.w, 1e-300), -std::log1p(-std::min(sum.w, 1.0 - 1e-16)) / unit);
+    return glm::dvec4(glm::dvec3(sum) / std::max(sum.w, 1e-300), sum.w / unit);
   }
 
   // VTK's samples: from a step behind the entry on, as long as they are inside.

@@ -177,6 +177,36 @@ void CheckSettings(Check& check)
   check.That(messages.Has("[0, 12]") && voxelizer->GetMaximumOrder() == 12, "order 13 is refused");
 }
 
+// A light along the lines, which grazes them, one that makes the half vector lie along them, and one from behind.
+void CheckWorldLights(Check& check)
+{
+  vtkNew<vtkAnisotropicLineVoxelizer> voxelizer;
+  lines::SetUnitVoxel(voxelizer);
+  voxelizer->SetInputData(lines::MakeLines({ { { 0.5, 0.5, 0.1 }, { 0.5, 0.5, 0.9 } } }));
+  vtkNew<vtkProperty> material;
+  material->SetSpecular(1.0);
+  voxelizer->SetMaterial(0, material);
+  const glm::dvec3 toViewer(0.0, 0.6, 0.8);
+  for (const glm::dvec3& toLight :
+    { glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, -0.6, 0.8), glm::dvec3(0.0, -0.6, -0.8), toViewer })
+  {
+    vtkNew<vtkLightCollection> lights;
+    lights->AddItem(lines::SceneLight(toLight));
+    voxelizer->SetLights(lights);
+    for (int order : { 0, 3 })
+    {
+      voxelizer->SetMaximumOrder(order);
+      voxelizer->SetSpecularPower(0, order == 0 ? 1.0 : 1000.0);
+      voxelizer->Update();
+      check.That(IsFinite(voxelizer->GetOutput()), "finite under a light in the world");
+      const auto voxel = lines::Look(voxelizer->GetOutput(), toViewer);
+      check.AtLeast("depth", voxel.Depth, 1e-3);
+      check.AtLeast("colour", voxel.Color.x, 0.0);
+      check.AtMost("colour", voxel.Color.x, TwoPi / 4.0 + 1e-6); // as under a headlight
+    }
+  }
+}
+
 void CheckBakedLights(Check& check)
 {
   vtkNew<vtkLightCollection> lights;
@@ -253,6 +283,7 @@ int TestLineVoxelExtremes(int, char*[])
   CheckManyInOneVoxel(check);
   CheckRadii(check);
   CheckSettings(check);
+  CheckWorldLights(check);
   CheckBakedLights(check);
   CheckAbortAndProgress(check);
   return check.ExitCode();
