@@ -29,18 +29,21 @@ void CheckOff(Check& check)
   scene.Property->ShadowsOff();
   const std::vector<unsigned char> lit = scene.Render();
   const unsigned long memory = scene.Optics->GetTermMemorySize();
-  check.That(scene.Optics->GetActiveTerms() == "Reflectance", "shadows off: " + scene.Optics->GetActiveTerms());
+  check.That(
+    scene.Optics->GetActiveTerms() == "Reflectance", "shadows off: " + scene.Optics->GetActiveTerms());
   check.That(scene.Optics->GetFragmentShader().find("Shadow") == std::string::npos &&
       scene.Optics->GetFragmentShader().find("OPTICS_SWEEP") == std::string::npos,
     "shadows off: text of shadows");
   scene.Property->ShadowsOn();
   const std::vector<unsigned char> shadowed = scene.Render();
-  check.That(scene.Optics->GetActiveTerms() == "Reflectance,Shadows", "on: " + scene.Optics->GetActiveTerms());
+  check.That(
+    scene.Optics->GetActiveTerms() == "Reflectance,Shadows", "on: " + scene.Optics->GetActiveTerms());
   check.AtLeast("textures of shadows", scene.Optics->GetTermMemorySize(), memory + 100.0);
   check.AtMost("brightness with shadows", Brightness(shadowed), 0.8 * Brightness(lit));
   sun->SetShadowAttenuation(0.0F);
   check.That(scene.Render() == lit, "a light that casts no shadow differs from shadows off");
-  check.That(scene.Optics->GetActiveTerms() == "Reflectance", "nobody casts: " + scene.Optics->GetActiveTerms());
+  check.That(
+    scene.Optics->GetActiveTerms() == "Reflectance", "nobody casts: " + scene.Optics->GetActiveTerms());
   check.That(scene.Optics->GetTermMemorySize() == memory, "nobody casts: textures are left");
 }
 
@@ -51,10 +54,12 @@ void CheckModels(Check& check)
   scene.AddSun(1.0, 0.0, 1.0);
   scene.Property->SetReflectanceModelToVTK();
   const double shadowed = Brightness(scene.Render());
-  check.That(scene.Optics->GetActiveTerms() == "Reflectance,Shadows", "VTK: " + scene.Optics->GetActiveTerms());
+  check.That(
+    scene.Optics->GetActiveTerms() == "Reflectance,Shadows", "VTK: " + scene.Optics->GetActiveTerms());
   scene.Property->ShadowsOff();
   check.AtMost("VTK's model with shadows", shadowed, 0.9 * Brightness(scene.Render()));
-  check.That(scene.Optics->GetActiveTerms().empty(), "VTK's model without: " + scene.Optics->GetActiveTerms());
+  check.That(
+    scene.Optics->GetActiveTerms().empty(), "VTK's model without: " + scene.Optics->GetActiveTerms());
   scene.Property->ShadowsOn();
   scene.Property->ShadeOff();
   scene.Render();
@@ -66,7 +71,8 @@ void CheckLinks(Check& check)
   ShadowScene scene;
   vtkLight* sun = scene.AddSun(1.0, 0.0, 1.0);
   scene.Render();
-  scene.Property->SetShadowAngle(1.0); // VTK's property has a gradient opacity once its mapper has asked for one
+  scene.Property->SetShadowAngle(
+    1.0); // VTK's property has a gradient opacity once its mapper has asked for one
   scene.Render();
   const int links = scene.Optics->GetProgramLinkCount();
   const auto draw = [&](const std::string& name) {
@@ -100,7 +106,8 @@ void CheckManyLights(Check& check)
     alone = i == 0 ? Brightness(scene.Render()) : alone;
   }
   check.AtLeast("eight lights", Brightness(scene.Render()), 4.0 * alone);
-  check.That(scene.Optics->GetActiveTerms() == "Reflectance,Shadows", "eight: " + scene.Optics->GetActiveTerms());
+  check.That(
+    scene.Optics->GetActiveTerms() == "Reflectance,Shadows", "eight: " + scene.Optics->GetActiveTerms());
   check.AtMost("messages of eight lights", static_cast<double>(warnings.Texts.size()), 1.0);
   scene.Optics->RemoveObserver(warnings.Command);
 }
