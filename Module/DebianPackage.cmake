@@ -3,7 +3,7 @@
 
 # `cpack -G DEB` in the build tree gives one Debian package, `cpack -G TGZ` the install tree as an archive.
 # Configured with -D CMAKE_INSTALL_PREFIX=/usr (the preset "package"), libraries lie in Debian's
-# multiarch folder. The ParaView component, where it is built, is a package of its own.
+# multiarch folder. The build tree of ParaView's plugin gives a package of the plugin alone.
 set(CPACK_PACKAGE_NAME volumeoptics)
 set(CPACK_PACKAGE_VENDOR "VolumeOptics contributors")
 set(CPACK_PACKAGE_CONTACT "VolumeOptics contributors")
@@ -25,19 +25,32 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-# What is loaded at run time, or used by programs built on the package.
-if (TARGET VolumeOptics::Python)
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-vtk9")
-endif ()
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libosmesa6, libvtk9-dev")
 
-# CPack's own shlibs would name the plugin, too, which nothing links.
-file(WRITE "${CMAKE_BINARY_DIR}/debian/shlibs"
-  "libvtkVolumeOptics 1 volumeoptics (>= ${PROJECT_VERSION})\n")
-set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_BINARY_DIR}/debian/shlibs")
+set(volumeoptics_component Unspecified)
+if (VOLUMEOPTICS_BUILD_PARAVIEW_PLUGIN)
+  set(volumeoptics_component paraview_plugins)
+  set(CPACK_PACKAGE_NAME volumeoptics-paraview)
+  set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "optical models for ParaView's volume rendering")
+  set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "\
+The ParaView plugin VolumeOptics: a representation of image data with anisotropic
+highlights, scale-invariant opacity and lighting transfer functions, and the
+filters that prepare a volume or lines for it.")
+  set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};VolumeOptics;${volumeoptics_component};/")
+else ()
+  # What is loaded at run time, or used by programs built on the package.
+  if (TARGET VolumeOptics::Python)
+    set(CPACK_DEBIAN_PACKAGE_DEPENDS python3-vtk9)
+  endif ()
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, libgl1-mesa-dri")
+  set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libosmesa6, libvtk9-dev")
+  # CPack's own shlibs would name the plugin, too, which nothing links.
+  file(WRITE "${CMAKE_BINARY_DIR}/debian/shlibs"
+    "libvtkVolumeOptics 1 volumeoptics (>= ${PROJECT_VERSION})\n")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_BINARY_DIR}/debian/shlibs")
+endif ()
 
 configure_file(LICENSE "${CMAKE_BINARY_DIR}/debian/copyright" COPYONLY)
 install(FILES "${CMAKE_BINARY_DIR}/debian/copyright" CHANGELOG.md README.md
-  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/volumeoptics")
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/${CPACK_PACKAGE_NAME}"
+  COMPONENT   "${volumeoptics_component}")
 include(CPack)

@@ -21,23 +21,24 @@ constexpr int Product = 4;
 // The largest of what is stored in 16 bits, a quarter of what these can hold.
 const float LargestStored = 16384.0F;
 
+// What is no number counts as nothing; sums of the others, scaled, are finite.
+float Finite(float value)
+{
+  const float largest = 1.0e25F;
+  return std::isfinite(value) ? std::clamp(value, -largest, largest) : 0.0F;
+}
+
 float LargestOf(const LineCoefficients& set)
 {
   float largest = 0.0F;
   for (vtkTypeInt64 i = 0; i < set.GetNumberOfCoefficients() * set.Channels; ++i)
   {
-    largest = std::isfinite(set.Values[i]) ? std::max(largest, std::abs(set.Values[i])) : largest;
+    largest = std::max(largest, std::abs(Finite(set.Values[i])));
   }
   return largest > 0.0F ? largest : 1.0F;
 }
 
-float Finite(float value)
-{
-  return std::isfinite(value) ? value : 0.0F;
-}
-
-template <class Value>
-void AppendTexel(std::vector<float>& texels, const Value* values, int count, float scale)
+void AppendTexel(std::vector<float>& texels, const float* values, int count, float scale)
 {
   for (int i = 0; i < count; ++i)
   {

@@ -38,7 +38,7 @@ glm::dmat4 MakeDataToVoxels(vtkImageData* image, const LineGrid& grid)
 //------------------------------------------------------------------------------
 std::string LineVolume::Update(vtkImageData* image, const OpticsScene& scene)
 {
-  const std::string error = this->Upload(image, scene.Mapper->GetLinePrecision(), scene.Window);
+  std::string error = this->Upload(image, scene.Mapper->GetLinePrecision(), scene.Window);
   if (!error.empty() || this->IsEmpty())
   {
     return error;
@@ -65,7 +65,7 @@ std::string LineVolume::Upload(vtkImageData* image, int bits, vtkOpenGLRenderWin
   }
   this->Uploaded = nullptr;
   this->Evaluation.Invalidate();
-  const std::string error = this->Lines.Upload(image, bits, window);
+  std::string error = this->Lines.Upload(image, bits, window);
   if (error.empty())
   {
     this->DataToVoxels = MakeDataToVoxels(image, this->Lines.Grid);

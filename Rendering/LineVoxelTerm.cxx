@@ -98,10 +98,11 @@ void LineVoxelTerm::PrepareBlock(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
-void LineVoxelTerm::AddFeatures(const OpticsScene&, OpticsFeatures& features)
+void LineVoxelTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
   features.Add(OpticsFeature::Lines);
   features.Add(this->HasBlock ? OpticsFeature::LineBlock : OpticsFeature::LineBlockNone);
+  features.Add(HasAmbientLight(scene) ? OpticsFeature::LineAmbient : OpticsFeature::LineAmbientNone);
   features.Add(OpticsFeature::OpacityFormulas);
 }
 

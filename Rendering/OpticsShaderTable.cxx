@@ -47,6 +47,8 @@
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
+#include "LineAmbient.h"
+#include "LineAmbientNone.h"
 #include "LineBlock.h"
 #include "LineBlockNone.h"
 #include "LineEvaluationFragment.h"
@@ -294,6 +296,7 @@ const Row Table[] = {
   { F::VisibilitySweep, &ClippingImpl, SweepRayBegin },
   { F::Integral, &ClippingImpl, IntegralPath },
   { F::Integral, &ShadingInit, IntegralInit },
+  { F::Lines, &ShadingInit, LineShadingInit },
   { F::VisibilitySweep, &ShadingInit, SweepRayEnd },
   { F::SweepFrame, &ShadingInit, SweepFrame },
   { F::VisibilitySweep, &DepthPassImpl, SweepTerminate },
@@ -303,8 +306,9 @@ const Row Table[] = {
   { F::Lines, &ComputeRayDirectionDec, LineLookup },
   { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
   { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
+  { F::LineAmbientNone, &ComputeRayDirectionDec, LineAmbientNone },
+  { F::LineAmbient, &ComputeRayDirectionDec, LineAmbient },
   { F::Lines, &ComputeRayDirectionDec, LineRay },
-  { F::Lines, &ShadingInit, LineShadingInit },
   { F::Lines, &ShadingImpl, LineShadingImpl },
   { F::Lines, &AfterTerminateImpl, LineTerminate },
 };

@@ -96,6 +96,8 @@ enum class OpticsFeature
   Lines, // anisotropic voxels are drawn in place of VTK's samples
   LineBlock,
   LineBlockNone,
+  LineAmbient,
+  LineAmbientNone,
   Count
 };
 

@@ -125,7 +125,7 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene) || WantsAmbientLight(scene) || WantsShadows(scene));
+      TransmitsLight(scene) || (WantsAmbientLight(scene) && !HasLineVoxels(scene)) || WantsShadows(scene));
 }
 
 //------------------------------------------------------------------------------

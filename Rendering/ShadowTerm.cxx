@@ -82,7 +82,7 @@ bool ShadowTerm::IsActive(const OpticsScene& scene)
   {
     return false;
   }
-  const std::string reason = FindUnsupported(scene);
+  const std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty())
   {
     scene.Mapper->Say(

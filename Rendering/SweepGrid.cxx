@@ -131,15 +131,18 @@ bool SweepGrid::FindWindow(const View& view, const double inView[24])
 }
 
 //------------------------------------------------------------------------------
-// Froxels are squares: the shorter side of the window grows to whole ones.
+// Froxels are squares: the shorter side of the window grows to whole ones. Around a volume is a ring of one froxel in
+// which nothing is: beyond the grid it is as on its outermost froxels.
 void SweepGrid::Divide(const Resolution& resolution)
 {
   const double sides[2] = { this->Window[1] - this->Window[0], this->Window[3] - this->Window[2] };
   const int size = std::clamp(resolution.Size, 1, resolution.LargestSize);
-  const double froxel = std::max(sides[0], sides[1]) / size;
+  const int ring = size > 2 ? 2 : 0;
+  const double froxel = std::max(sides[0], sides[1]) / (size - ring);
   for (int axis = 0; axis < 2; ++axis)
   {
-    this->Size[axis] = std::clamp(static_cast<int>(std::ceil(sides[axis] / froxel - 1.0e-6)), 1, size);
+    const int froxels = static_cast<int>(std::ceil(sides[axis] / froxel - 1.0e-6));
+    this->Size[axis] = std::clamp(froxels + ring, 1, size);
     const double growth = 0.5 * (this->Size[axis] * froxel - sides[axis]);
     this->Window[2 * axis] -= growth;
     this->Window[2 * axis + 1] += growth;

@@ -37,7 +37,7 @@ public:
 
   /**
    * Around what the view sees of a box, given by its corners in world coordinates (three numbers each).
-   * Cones that leave the window find what is within a quarter of its width around it.
+   * Cones that leave the window find what is within a quarter of its width around it, and on as at the edge.
    */
   SweepGrid(const View& view, const double corners[24], const Resolution& resolution);
 

@@ -96,9 +96,6 @@ bool SweepTarget::Allocate(vtkOpenGLRenderWindow* window, const Format& format)
       vtkTextureObject* passed = textures[i].Renew(window);
       passed->SetInternalFormat(InternalFormat(components, BitsOfPassed(format)));
       textures[i].Interpolate();
-      passed->SetWrapS(vtkTextureObject::ClampToBorder); // whatever comes from outside has met nothing
-      passed->SetWrapT(vtkTextureObject::ClampToBorder);
-      passed->SetBorderColor(Light[0], Light[1], Light[2], Light[3]);
       isAllocated &= passed->Create2DFromRaw(size[0], size[1], components, VTK_FLOAT, nullptr);
     }
   }

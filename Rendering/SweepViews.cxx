@@ -12,6 +12,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -19,6 +20,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -125,7 +127,11 @@ void VolumeCorners(const OpticsScene& scene, double corners[24])
 //------------------------------------------------------------------------------
 SweepGrid::Resolution SweepResolution(const OpticsScene& scene)
 {
-  return { scene.Mapper->GetVisibilityGridSize(), scene.Mapper->GetVisibilitySliceDistance(),
+  // presets are coarser while the user interacts, as their steps are
+  const bool isCoarse = scene.Mapper->GetQuality() != vtkOpticsVolumeMapper::Custom &&
+    scene.Mapper->IsInteractive(scene.Renderer);
+  const int size = scene.Mapper->GetVisibilityGridSize();
+  return { isCoarse ? (size + 1) / 2 : size, scene.Mapper->GetVisibilitySliceDistance(),
     vtkTextureObject::GetMaximumTextureSize3D(scene.Window) };
 }
 
@@ -151,9 +157,16 @@ vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgra
   vtkMatrix4x4::Multiply4x4(dataToWorld->GetData(), textureToData, volume.TextureToWorld);
   std::copy(dataToWorld->GetData(), dataToWorld->GetData() + 16, volume.DataToWorld);
   volume.StepLength = scene.Mapper->GetFrameSampleDistance(scene.Volume);
-  for (vtkObject* object : { static_cast<vtkObject*>(scene.Mapper->GetDataSetInput()),
-         static_cast<vtkObject*>(scene.Mapper->GetMaskInput()),
-         static_cast<vtkObject*>(scene.Volume->GetProperty()), static_cast<vtkObject*>(scene.Optics) })
+  std::vector<vtkObject*> sources = { scene.Mapper->GetDataSetInput(), scene.Mapper->GetMaskInput(),
+    scene.Volume->GetProperty(), scene.Optics };
+  if (HasLineVoxels(scene))
+  {
+    // the mapper's scales, and the view that the voxels are evaluated for
+    sources.insert(sources.end(),
+      { scene.Mapper, scene.Mapper->GetLineOpacityFunction(), scene.Mapper->GetLineBlock(),
+        scene.Renderer->GetActiveCamera() });
+  }
+  for (vtkObject* object : sources)
   {
     volume.Times.emplace_back(object, object ? object->GetMTime() : 0);
   }

@@ -291,12 +291,18 @@ void vtkOpticsVolumeMapper::SetLineBlockInputData(vtkImageData* voxels)
 }
 
 //------------------------------------------------------------------------------
+vtkImageData* vtkOpticsVolumeMapper::GetLineBlock()
+{
+  return this->Terms->Lines.GetBlock();
+}
+
+//------------------------------------------------------------------------------
 // Of the finer ones, where a block replaces lines.
 void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
   volumeoptics::GetVoxelSpacing(image, spacing);
-  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->Terms->Lines.GetBlock() : nullptr;
+  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->GetLineBlock() : nullptr;
   double ofBlock[3] = { spacing[0], spacing[1], spacing[2] };
   if (block)
   {

@@ -306,6 +306,7 @@ public:
    */
   void SetLineBlockInputConnection(vtkAlgorithmOutput* output);
   void SetLineBlockInputData(vtkImageData* voxels);
+  vtkImageData* GetLineBlock();
   ///@}
 
   ///@{

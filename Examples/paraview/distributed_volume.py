@@ -37,7 +37,7 @@ opacities.Points = [0.0, 0.0, 0.5, 0.0, 0.4, 0.0, 0.5, 0.0, 0.6, 0.8, 0.5, 0.0, 
 display.SetRepresentationType("Volume Optics")
 display.OpticsOpacityUnitDistance = 0.05
 display.OpticsShade = 1
-display.Ambient, display.Diffuse, display.Specular = 0.2, 0.6, 0.5
+display.Ambient, display.Diffuse, display.Specular = 0.2, 0.5, 0.2
 display.ReflectanceModel = "Ward"
 
 SaveScreenshot(sys.argv[1] if len(sys.argv) > 1 else "volume.png", view)

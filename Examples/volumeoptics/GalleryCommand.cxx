@@ -38,9 +38,26 @@ struct GalleryOptions
 
 constexpr int TracedRays = 24; // from each of some dozens of samples of a pixel
 
+// Of pictures that rays trace, the gallery has those that are kept.
+void LeaveOutWhatIsNotKept(std::vector<GallerySection>& sections)
+{
+  const auto isNotKept = [](const GalleryPicture& picture) {
+    return picture.TracedAngle > 0.0 && !IsTracedPictureKept(picture.Name);
+  };
+  for (GallerySection& section : sections)
+  {
+    auto& pictures = section.Pictures;
+    pictures.erase(std::remove_if(pictures.begin(), pictures.end(), isNotKept), pictures.end());
+  }
+}
+
 std::vector<GallerySection> ChosenSections(const GalleryOptions& options)
 {
   std::vector<GallerySection> sections = GalleryList(!options.WithoutCranium);
+  if (options.TraceFolder.empty())
+  {
+    LeaveOutWhatIsNotKept(sections);
+  }
   const auto isLeftOut = [&](const GallerySection& section) {
     return section.Title.find(options.Only) == std::string::npos;
   };

@@ -19,9 +19,8 @@ struct GalleryPicture
   std::string Field; // see GalleryField()
   PictureSettings Settings;
   std::string Caption = "";  // what to see; empty: the settings of the reflectance
-  double TracedAngle = -1.0; // above 0: a kept picture, traced by rays out of a cone of this half angle
-  std::string Caption = "";  // what to see; empty: the settings of the reflectance
   LinePicture Lines = {};    // in place of the field, where it has a source
+  double TracedAngle = -1.0; // above 0: a kept picture, traced by rays out of a cone of this half angle
 };
 
 struct GallerySection

@@ -175,7 +175,7 @@ GalleryPicture TracedBone(const std::string& name, const std::string& title, dou
 {
   PictureSettings settings = Bone();
   settings.Size = { TracedSize, TracedSize };
-  return { name, title, "cranium", settings, "Kept; minutes of rays, in double.", angle };
+  return { name, title, "cranium", settings, "Kept; minutes of rays, in double.", {}, angle };
 }
 
 GallerySection TracedSection()

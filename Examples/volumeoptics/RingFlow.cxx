@@ -44,9 +44,9 @@ Vector FlowAt(const Vector& p)
 
 Vector Moved(const Vector& p, const Vector& flow, double length)
 {
-  const double speed =
-    std::max(std::sqrt(flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2]), 1e-12);
-  return { p[0] + flow[0] / speed * length, p[1] + flow[1] / speed * length, p[2] + flow[2] / speed * length };
+  const double speed = std::max(std::sqrt(flow[0] * flow[0] + flow[1] * flow[1] + flow[2] * flow[2]), 1e-12);
+  return { p[0] + flow[0] / speed * length, p[1] + flow[1] / speed * length,
+    p[2] + flow[2] / speed * length };
 }
 
 Vector Next(const Vector& p)

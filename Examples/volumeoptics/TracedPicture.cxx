@@ -36,6 +36,18 @@ struct KeptPicture
 // Of the scene's steps: light falls steeply within a surface, and coarser ones show as rings.
 constexpr double StepShare = 0.25;
 
+const KeptPicture* KeptPictureNamed(const std::string& name)
+{
+  for (const KeptPicture& kept : KeptPictures)
+  {
+    if (kept.Name == name)
+    {
+      return &kept;
+    }
+  }
+  return nullptr;
+}
+
 void WritePng(const reference::Image& image, const std::string& file)
 {
   vtkNew<vtkImageData> bytes;
@@ -75,17 +87,19 @@ void TracePicture(VolumeScene& scene, double angle, int rays, const std::string&
     pngFile);
 }
 
+bool IsTracedPictureKept(const std::string& name)
+{
+  return KeptPictureNamed(name) != nullptr;
+}
+
 void WriteTracedPicture(const std::string& name, const std::string& pngFile)
 {
-  for (const KeptPicture& kept : KeptPictures)
+  const KeptPicture* kept = KeptPictureNamed(name);
+  if (!kept)
   {
-    if (kept.Name == name)
-    {
-      std::ofstream file(pngFile, std::ios::binary);
-      file.write(reinterpret_cast<const char*>(kept.Bytes), static_cast<std::streamsize>(kept.Size));
-      return;
-    }
+    throw UserError("The traced picture '" + name +
+      "' is not kept with this program. Make it with `volumeoptics gallery --trace FOLDER`.");
   }
-  throw UserError("The traced picture '" + name +
-    "' is not kept with this program. Make it with `volumeoptics gallery --trace FOLDER`.");
+  std::ofstream file(pngFile, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(kept->Bytes), static_cast<std::streamsize>(kept->Size));
 }

@@ -15,6 +15,8 @@ class VolumeScene;
 // everywhere), in place of its own occlusion. Draws a frame first.
 void TracePicture(VolumeScene& scene, double angle, int rays, const std::string& pngFile);
 
+bool IsTracedPictureKept(const std::string& name);
+
 // Writes a kept one. Throws UserError.
 void WriteTracedPicture(const std::string& name, const std::string& pngFile);
 

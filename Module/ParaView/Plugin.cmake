@@ -56,6 +56,8 @@ paraview_plugin_build(
   PLUGINS              ${plugins}
   AUTOLOAD             ${plugins})
 
+include(Module/DebianPackage.cmake)
+
 if (BUILD_TESTING)
   add_subdirectory(Testing/ParaView)
 endif ()

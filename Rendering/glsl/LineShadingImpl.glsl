@@ -7,6 +7,6 @@
       {
       vec4 opticsLines = opticsLinesAt(opticsTexToLines(vec4(g_dataPos, 1.0)));
       g_srcColor.a = OneMinusExp(opticsLines.a * in_sampleDistance);
-      g_srcColor.rgb = opticsLines.rgb * g_srcColor.a;
+      g_srcColor.rgb = opticsLines.rgb * opticsLineLight(g_srcColor.a) * g_srcColor.a;
       g_fragColor += (1.0 - g_fragColor.a) * g_srcColor;
       }

@@ -4,8 +4,8 @@
 //VTK::Output::Dec
 
 // Behind the ray caster's text, after Visibility. Some fixed directions of the cone, one channel each: what reaches this
-// slice, from where the direction crosses the one before it, and what of it passes this one. Whatever comes from outside
-// of the window has met nothing.
+// slice, from where the direction crosses the one before it, and what of it passes this one. Outside of the
+// window it is as at its edge.
 
 uniform vec2 in_sweepSlopes[16];
 uniform float in_sweepLengths[16]; // of the way from slice to slice, relative to their distance

@@ -4,7 +4,7 @@
 
     VOLUMEOPTICS_PLUGIN=<...>/VolumeOptics.so mpirun -n 2 pvbatch distributed_frames.py [size] [folder]
 
-The median of seven frames from cameras around the volume, with everything that is found once left out; the time
+The median of five frames from cameras around the volume, with everything that is found once left out; the time
 goes on until the first process has the whole picture. LP_NUM_THREADS=1 gives Mesa's rasteriser one core
 a process. With a folder the last pictures are kept there, and those of several processes compared with those
 that one process has left: largest and root mean square difference, of 255.
@@ -21,7 +21,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-FRAMES = 7
+FRAMES = 5
 MODELS = {
     "Volume, shaded": None,
     "Volume Optics, off": dict(ReflectanceModel="VTK"),
@@ -29,7 +29,7 @@ MODELS = {
     "Ward": dict(ReflectanceModel="Ward"),
     "data space": dict(ReflectanceModel="VTK", IntegrationSpace="Scalar"),
     "pre-integrated": dict(IntegrationSpace="Length", Classification="Pre-integrated"),
-    "occlusion": dict(Classification="Post", Occlusion=1),
+    "occlusion": dict(Classification="At samples", Occlusion=1),
     "shadows": dict(Occlusion=0, Shadows=1),
 }
 
@@ -40,7 +40,7 @@ processes = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses
 
 source = simple.AnalyticVolume(Field="Vortex tubes", Dimensions=[size, size, size])
 view = simple.CreateView("RenderView")
-view.ViewSize = [300, 300]
+view.ViewSize = [200, 200]
 view.OrientationAxesVisibility = 0
 display = simple.Show(source, view)
 display.SetRepresentationType("Volume")

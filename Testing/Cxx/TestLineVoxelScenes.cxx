@@ -36,8 +36,7 @@ void CheckChanges(Check& check)
   check.AtLeast("the lines are bright", BrightnessOf(last), 1.0);
   check.That(scene.Mapper->GetActiveTerms() == "Lines", "active: " + scene.Mapper->GetActiveTerms());
   const int links = scene.Mapper->GetProgramLinkCount();
-  auto* values =
-    vtkFloatArray::SafeDownCast(voxels->GetFieldData()->GetArray("LineType0_Coefficients"));
+  auto* values = vtkFloatArray::SafeDownCast(voxels->GetFieldData()->GetArray("LineType0_Coefficients"));
   std::fill_n(values->GetPointer(0), values->GetNumberOfValues(), 0.0F);
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(0.0, 0.0);
@@ -157,6 +156,33 @@ void CheckOpaque(Check& check)
   check.AtLeast("behind", behind, 1.5 * amid);
 }
 
+// Depth peeling casts the ray in parts: a sphere that is hardly there changes the picture by as much.
+void CheckDepthPeeling(Check& check)
+{
+  const auto voxels = Spirals(16, 16, 16);
+  LineTermScene scene(voxels);
+  const auto plain = scene.Render();
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetOpacity(0.004);
+  scene.Renderer->AddActor(actor);
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Renderer->UseDepthPeelingForVolumesOn();
+  const auto peeled = scene.Render();
+  double largest = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < plain.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(double(plain[i]) - peeled[i]));
+    sum += std::abs(double(plain[i]) - peeled[i]);
+  }
+  // a part of the ray begins at its own first sample: a step more or less at each of the sphere's two sides
+  check.AtMost("peeled, largest", largest, 20.0);
+  check.AtMost("peeled, mean", sum / static_cast<double>(plain.size()), 0.2);
+}
+
 // Grids of one voxel and of many on one axis, orders, coefficients that are not numbers, no lines at all.
 void CheckExtremes(Check& check)
 {
@@ -184,19 +210,75 @@ void CheckExtremes(Check& check)
   auto* values = vtkFloatArray::SafeDownCast(broken->GetFieldData()->GetArray("LineType0_Coefficients"));
   for (vtkIdType i = 0; i < values->GetNumberOfValues(); i += 37)
   {
-    const float odd[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e38F };
+    const float odd[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+      3e38F };
     values->SetValue(i, odd[i % 3]);
   }
   scene.Mapper->SetInputData(broken);
-  for (const float value : scene.RenderFloat())
+  for (int bits : { 16, 32 })
   {
-    check.Finite("a picture of coefficients that are no numbers", value);
+    scene.Mapper->SetLinePrecision(bits);
+    for (const float value : scene.RenderFloat())
+    {
+      check.Finite("a picture of coefficients that are no numbers", value);
+    }
   }
 
   voxelizer->SetInputData(lines::MakeLines({}));
   const auto none = VoxelsOf(voxelizer);
   scene.Mapper->SetInputData(none);
   check.Near("no lines", BrightnessOf(scene.Render()), 0.0, 0.0);
+}
+
+// Ambient colour tints all of the light; lines in front of others darken them, the more the wider the cone; and more opaque
+// ones darken more.
+void CheckOcclusion(Check& check)
+{
+  const auto voxels = Spirals(24, 24, 24);
+  LineTermScene scene(voxels);
+  lines::Messages messages(scene.Mapper);
+  vtkNew<vtkOpticsVolumeProperty> optics;
+  scene.Volume->SetProperty(optics);
+  const auto plain = scene.RenderFloat();
+  optics->SetAmbientColor(0.5, 0.25, 1.0);
+  const auto tinted = scene.RenderFloat();
+  const double tints[] = { 0.5, 0.25, 1.0, 1.0 };
+  for (std::size_t i = 0; i < plain.size(); ++i)
+  {
+    check.Near("tinted", tinted[i], tints[i % 4] * plain[i], 1e-6);
+  }
+  optics->SetAmbientColor(1.0, 1.0, 1.0);
+  optics->OcclusionOn();
+  optics->SetOcclusionAngle(0.0);
+  const auto narrow = scene.RenderFloat();
+  for (std::size_t i = 0; i < plain.size(); ++i)
+  {
+    check.AtMost("occluded", narrow[i], plain[i] + 1e-6);
+  }
+  check.That(scene.Mapper->GetActiveTerms().find("Occlusion") != std::string::npos, "no occlusion");
+  const auto sumOf = [](const std::vector<float>& pixels) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+    {
+      sum += i % 4 == 3 ? 0.0 : pixels[i];
+    }
+    return sum;
+  };
+  // along the ray alone, of optical depth t, the mean of what arrives is (1 - e^-2t)/2 of (1 - e^-t)
+  double expected = 0.0;
+  for (std::size_t i = 0; i < plain.size(); i += 4)
+  {
+    const double through = 1.0 - plain[i + 3];
+    const double share = plain[i + 3] > 0.0F ? 0.5 * (1.0 - through * through) / plain[i + 3] : 1.0;
+    expected += share * (plain[i] + plain[i + 1] + plain[i + 2]);
+  }
+  check.Near("a narrow cone", sumOf(narrow) / expected, 1.0, 0.05);
+  scene.Mapper->SetLineOpacityScale(0, 0.3);
+  const auto thin = scene.RenderFloat();
+  optics->OcclusionOff();
+  const double thinShare = sumOf(thin) / sumOf(scene.RenderFloat());
+  check.AtLeast("thin lines occlude less", thinShare, sumOf(narrow) / sumOf(plain) + 0.05);
+  check.That(messages.Texts.empty(), messages.Texts.empty() ? "" : "said: " + messages.Texts[0]);
 }
 
 // The step of an automatic or locked sample distance is a voxel's, not a brick's.
@@ -227,7 +309,9 @@ int TestLineVoxelScenes(int, char*[])
   CheckMemory(check);
   CheckMessages(check);
   CheckOpaque(check);
+  CheckDepthPeeling(check);
   CheckExtremes(check);
+  CheckOcclusion(check);
   CheckSampleDistance(check);
   return check.ExitCode();
 }

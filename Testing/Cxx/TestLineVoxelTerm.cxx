@@ -6,8 +6,10 @@
 
 #include "LineTermScene.h"
 
+#include "vtkMatrix3x3.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
+#include "vtkTransform.h"
 
 namespace
 {
@@ -105,7 +107,7 @@ void CheckTypes(Check& check)
   CheckPicture(check, "an opacity function", scene, reference, Floats + 4.0e-3);
 }
 
-// A volume that is moved, turned and scaled, also by the image's own direction; parts hidden.
+// A volume that is moved, turned and scaled; parts hidden.
 void CheckSpaces(Check& check)
 {
   const auto voxels = Spirals(24, 24, 24);
@@ -148,6 +150,41 @@ void CheckSpaces(Check& check)
   check.AtLeast("clipped", clipped.Brightest, 0.2);
 }
 
+// An image that is turned about its origin by its direction matrix, and a volume that is turned so by its own.
+void CheckDirection(Check& check)
+{
+  const auto voxels = Spirals(24, 24, 24);
+  LineTermScene scene(voxels);
+  scene.Mapper->SetLinePrecision(32);
+  vtkNew<vtkTransform> turn;
+  turn->RotateX(25.0);
+  turn->RotateZ(-15.0);
+  scene.Volume->SetOrigin(voxels->GetOrigin());
+  scene.Volume->SetOrientation(turn->GetOrientation());
+  const std::vector<float> byVolume = scene.RenderFloat();
+  scene.Volume->SetOrientation(0.0, 0.0, 0.0);
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      voxels->GetDirectionMatrix()->SetElement(row, column, turn->GetMatrix()->GetElement(row, column));
+    }
+  }
+  vtkNew<vtkImageData> turned;
+  turned->ShallowCopy(voxels);
+  turned->SetDirectionMatrix(voxels->GetDirectionMatrix());
+  scene.Mapper->SetInputData(turned);
+  const std::vector<float> byImage = scene.RenderFloat();
+  double largest = 0.0, brightest = 0.0;
+  for (std::size_t i = 0; i < byImage.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(double(byImage[i]) - byVolume[i]));
+    brightest = std::max<double>(brightest, byImage[i]);
+  }
+  check.AtMost("turned by the image's direction", largest, Floats);
+  check.AtLeast("turned by the image's direction, brightness", brightest, 0.2);
+}
+
 // A block of voxels half as large in place of a part of the spirals.
 void CheckBlock(Check& check)
 {
@@ -184,6 +221,7 @@ int TestLineVoxelTerm(int, char*[])
   CheckOrders(check);
   CheckTypes(check);
   CheckSpaces(check);
+  CheckDirection(check);
   CheckBlock(check);
   return check.ExitCode();
 }

@@ -89,7 +89,7 @@ display.SetRepresentationType("Volume Optics")
 display.ColorArrayName = ["CELLS", "BrickIndex"]
 drawn = take_picture(view, "extreme-lines")
 check_differs(empty, drawn, "lines")
-lit = drawn[drawn[:, :, 0] > 150]
+lit = drawn[drawn[:, :, 0] > 110]
 check(len(lit) > 50 and (abs(lit[:, 1] - lit[:, 0] / 2) < 40).all(), "lines are not orange")
 display.LineRadiusScale = 0.0
 check_equal(empty, take_picture(view, "extreme-lines-hidden"), "lines of no radius")

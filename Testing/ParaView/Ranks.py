@@ -38,7 +38,6 @@ for key, result in FILTERS.items():
     simple.SaveData(os.path.join(Checks.OUTPUT, name(key) + ".pvti"), proxy=result)
 
 
-
 def draw_methods():
     display = Checks.show_volume(source, view)
     take_picture(view, name("stock"))
@@ -51,9 +50,10 @@ def draw_methods():
     display.SetRepresentationType("Volume Optics")
     display.CovarianceRadius = 4.0
     METHODS = {
-                "ward": dict(ReflectanceModel="Ward"),
+        "ward": dict(ReflectanceModel="Ward", Specular=0.02),
         "lighting": dict(
             ReflectanceModel="VTK",
+            Specular=0.3,
             UseLightingTransferFunction=1,
             LightingBoundaries=[0.0, 0.3, 0.6, 1.0, 0.1, 0.2, 0.7, 0.4],
             GradientStepLength=2.0,

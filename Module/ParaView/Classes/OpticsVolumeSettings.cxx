@@ -191,15 +191,13 @@ void vtkOpticsVolumeRepresentation::SetExtinctionGradient(int gradient)
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetScalarGradient(int gradient)
 {
-  this->GetBlocks()->SetKnob(
-    "ScalarGradient", [=](Mapper* mapper) { mapper->SetScalarGradient(gradient); });
+  this->GetBlocks()->SetKnob("ScalarGradient", [=](Mapper* mapper) { mapper->SetScalarGradient(gradient); });
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetLightingSamples(int samples)
 {
-  this->GetBlocks()->SetKnob(
-    "LightingSamples", [=](Mapper* mapper) { mapper->SetLightingSamples(samples); });
+  this->GetBlocks()->SetKnob("LightingSamples", [=](Mapper* mapper) { mapper->SetLightingSamples(samples); });
 }
 
 //------------------------------------------------------------------------------
@@ -255,19 +253,22 @@ void vtkOpticsVolumeRepresentation::SetShadowAngle(double degrees)
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetVisibilityGridSize(int froxels)
 {
-  this->GetBlocks()->SetKnob("VisibilityGridSize", [=](Mapper* mapper) { mapper->SetVisibilityGridSize(froxels); });
+  this->GetBlocks()->SetKnob(
+    "VisibilityGridSize", [=](Mapper* mapper) { mapper->SetVisibilityGridSize(froxels); });
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetVisibilitySamples(int directions)
 {
-  this->GetBlocks()->SetKnob("VisibilitySamples", [=](Mapper* mapper) { mapper->SetVisibilitySamples(directions); });
+  this->GetBlocks()->SetKnob(
+    "VisibilitySamples", [=](Mapper* mapper) { mapper->SetVisibilitySamples(directions); });
 }
 
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetVisibilityPrecision(int bits)
 {
-  this->GetBlocks()->SetKnob("VisibilityPrecision", [=](Mapper* mapper) { mapper->SetVisibilityPrecision(bits); });
+  this->GetBlocks()->SetKnob(
+    "VisibilityPrecision", [=](Mapper* mapper) { mapper->SetVisibilityPrecision(bits); });
 }
 
 //------------------------------------------------------------------------------

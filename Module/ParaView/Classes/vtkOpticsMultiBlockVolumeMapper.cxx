@@ -14,11 +14,13 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkShaderProperty.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -53,6 +55,18 @@ vtkSmartPointer<vtkDataArray> MakeMagnitude(vtkDataArray* vectors)
     magnitude->SetTuple1(tuple, std::sqrt(square));
   }
   return magnitude;
+}
+
+// The pictures of several processes are composited in bytes, without saturation: where one is brighter than it is
+// opaque, which light on volumes may be, sums would pass 255 and begin at 0 again.
+void LimitLightToOpacity(vtkVolume* volume)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    volume->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Base::Exit", true,
+      "//VTK::Base::Exit\n  g_fragColor.rgb = min(g_fragColor.rgb, vec3(g_fragColor.a));\n", false);
+  }
 }
 
 // The eye in the volume's own coordinates, homogeneous.
@@ -302,6 +316,7 @@ void vtkOpticsMultiBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* v
     this->Loaded = input;
   }
   this->SortBlocks(renderer, volume);
+  LimitLightToOpacity(volume);
   const bool isInteractive = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
   for (const Mapper& block : this->Blocks)
   {

@@ -112,8 +112,8 @@ void vtkOpticsVolumeRepresentation::UpdateLightingTransferFunction()
   }
   for (const Boundary& boundary : this->Light->Boundaries)
   {
-    const int index = function->AddBoundary(
-      boundary.A, boundary.B, boundary.Ambient, boundary.Diffuse, boundary.Specular);
+    const int index =
+      function->AddBoundary(boundary.A, boundary.B, boundary.Ambient, boundary.Diffuse, boundary.Specular);
     if (index >= 0)
     {
       function->SetSoftness(index, boundary.Softness);
@@ -141,7 +141,8 @@ void vtkOpticsVolumeRepresentation::UpdateMultiSampleClassification()
 void vtkOpticsVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  const bool hasArray = this->UseTransfer2D && !this->UseGradientForTransfer2D && !this->ColorArray2Name.empty();
+  const bool hasArray =
+    this->UseTransfer2D && !this->UseGradientForTransfer2D && !this->ColorArray2Name.empty();
   this->GetBlocks()->SetTransfer2DYAxisArray(hasArray ? this->ColorArray2Name.c_str() : nullptr);
   this->UpdateLightingTransferFunction();
   this->UpdateMultiSampleClassification();
