@@ -28,7 +28,7 @@ const char* const AlignedSamples = R"***(//VTK::Base::Init
   float opticsToEye = dot(opticsEye.xyz / opticsEye.w - ip_textureCoords, g_dirStep) / dot(g_dirStep, g_dirStep);
   float opticsToEntry = max(max(opticsToFaces.x, opticsToFaces.y), max(opticsToFaces.z, opticsToEye));
   float opticsFirst = opticsToEntry + jitterValue;
-  opticsFirst += ceil(-opticsFirst - 1e-4);
+  opticsFirst += max(ceil(-opticsFirst - 1e-4), 0.0);
   g_rayJitter = g_dirStep * opticsFirst;
   g_rayOrigin = ip_textureCoords + g_rayJitter;
 )***";
