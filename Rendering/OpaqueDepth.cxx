@@ -191,8 +191,8 @@ void OpaqueDepth::DrawProps(vtkRenderer* renderer, const Props& props, const Swe
   glGenFramebuffers(1, &framebuffer);
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, this->Texture->GetHandle(), 0);
-  glDrawBuffer(GL_NONE);
-  glReadBuffer(GL_NONE);
+  state->vtkglDrawBuffer(GL_NONE);
+  state->vtkglReadBuffer(GL_NONE);
   state->vtkglViewport(0, 0, this->Size[0], this->Size[1]);
   state->SetEnumState(GL_SCISSOR_TEST, false);
   state->SetEnumState(GL_BLEND, false);
