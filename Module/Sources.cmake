@@ -22,6 +22,7 @@ set(rendering_classes
   vtkHeadlessRenderWindow
   vtkLightingTransferFunction
   vtkLightingTransferFunctionItem
+  vtkMacrocellGrid
   vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
@@ -58,6 +59,7 @@ set(rendering_sources
   BoundarySearch
   DataSpaceClassification
   DefaultOptics
+  EmptySpaceTerm
   FrameGeometry
   FrameProvider
   FrameTerm
@@ -80,6 +82,7 @@ set(rendering_sources
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  MacrocellDistances
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
@@ -104,6 +107,7 @@ set(rendering_sources
   TransferFunctionStretches
   TransferFunctionTerm
   TransferFunctionTexture
+  VisibleScalars
   vtkLightingTransferFunctionItemEvents
   vtkOpticsShaderPass)
 

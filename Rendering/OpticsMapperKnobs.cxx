@@ -36,6 +36,12 @@ void vtkOpticsVolumeMapper::SetPreIntegrationTableSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetMacrocellSize(int voxels)
+{
+  volumeoptics::SetWithinRange(this, "MacrocellSize", voxels, 2, 64, this->MacrocellSize);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
 {
   if (bits != 16 && bits != 32)
@@ -154,6 +160,8 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
   os << indent << "PreIntegrationTableSize: " << this->PreIntegrationTableSize << "\n";
   os << indent << "TablePrecision: " << this->TablePrecision << "\n";
+  os << indent << "SkipEmptySpace: " << (this->SkipEmptySpace ? "On" : "Off") << "\n";
+  os << indent << "MacrocellSize: " << this->MacrocellSize << "\n";
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "ActiveTerms: " << this->GetActiveTerms() << "\n";
   os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";

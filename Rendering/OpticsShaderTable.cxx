@@ -20,6 +20,9 @@
 #include "DataSpace.h"
 #include "DataSpaceInterior.h"
 #include "DataSpaceSegment.h"
+#include "EmptySpaceDec.h"
+#include "EmptySpaceInit.h"
+#include "EmptySpaceSkip.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
@@ -112,7 +115,8 @@ using F = OpticsFeature;
 struct Place
 {
   const char* Tag;
-  bool KeepsVTKText; // ours is added behind VTK's, or stands in its place
+  bool KeepsVTKText;        // ours is added to VTK's, or stands in its place
+  bool IsBeforeVTK = false; // added before VTK's, or behind it
 };
 
 const Place BaseDec = { "//VTK::Base::Dec", true };
@@ -120,6 +124,7 @@ const Place BaseInit = { "//VTK::Base::Init", true };
 const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", true };
 const Place ComputeRayDirectionDec = { "//VTK::ComputeRayDirection::Dec", true };
 const Place ClippingImpl = { "//VTK::Clipping::Impl", true };
+const Place BaseImpl = { "//VTK::Base::Impl", true, true };
 const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
@@ -232,6 +237,10 @@ const Row Table[] = {
   { F::Integral, &ShadingInit, IntegralInit },
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
+
+  { F::EmptySpace, &BaseDec, EmptySpaceDec },
+  { F::EmptySpace, &ShadingInit, EmptySpaceInit },
+  { F::EmptySpace, &BaseImpl, EmptySpaceSkip },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
@@ -304,7 +313,8 @@ bool Insert(std::string& fragment, const Place& place, const std::string& text)
     return true;
   }
   const std::string kept = place.KeepsVTKText ? std::string(place.Tag) + "\n" : std::string();
-  return vtkShaderProgram::Substitute(fragment, place.Tag, kept + text, false);
+  return vtkShaderProgram::Substitute(
+    fragment, place.Tag, place.IsBeforeVTK ? text + kept : kept + text, false);
 }
 
 // Our own lighting stands in the place of VTK's; without it what is needed there is added.
@@ -327,7 +337,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 {
   bool found = InsertLighting(fragment, features);
   for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &ShadingImpl, &TerminateImpl })
+         &BaseImpl, &ShadingImpl, &TerminateImpl })
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }

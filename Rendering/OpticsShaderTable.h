@@ -74,6 +74,7 @@ enum class OpticsFeature
   HiddenByCropping,
   IsosurfacesNone,
   Isosurfaces,
+  EmptySpace, // samples that see nothing are skipped
   Count
 };
 

@@ -4,6 +4,7 @@
 #include "vtkOpticsVolumeMapper.h"
 
 #include "DefaultOptics.h"
+#include "EmptySpaceTerm.h"
 #include "FrameTerm.h"
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
@@ -49,10 +50,12 @@ public:
   IntegrationTerm Integration{ this->Frames };
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
+  EmptySpaceTerm EmptySpace;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->EmptySpace };
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
+  vtkNew<vtkOpticsVolumeProperty> NoOptics; // VTK's own, of volumes that have none
   vtkWeakPointer<vtkRenderWindow> LastWindow;
   std::set<std::string> Said;
   std::string ActiveTerms;
@@ -63,7 +66,7 @@ std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const Op
 {
   std::vector<OpticsTerm*> active;
   this->ActiveTerms.clear();
-  if (!scene.Optics || !scene.Scalars || !scene.Window)
+  if (!scene.Scalars || !scene.Window)
   {
     return active;
   }
@@ -124,7 +127,8 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
     this->Say("The renderer has more lights than the " + std::to_string(LightLimit::Largest) +
       " that this VTK's volume shader holds: the last ones are left out.");
   }
-  const OpticsScene scene = MakeOpticsScene(this, renderer, volume);
+  OpticsScene scene = MakeOpticsScene(this, renderer, volume);
+  scene.Optics = scene.Optics ? scene.Optics : this->Terms->NoOptics.Get();
   const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
   if (active.empty())
   {
@@ -295,6 +299,18 @@ void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
   const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
   range[0] = loaded[0];
   range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpticsVolumeMapper::HasPartitions()
+{
+  const auto input = this->AssembledInputs.find(0);
+  if (input == this->AssembledInputs.end() || !input->second.Texture)
+  {
+    return false;
+  }
+  const auto& partitions = input->second.Texture->GetPartitions();
+  return partitions[0] > 1 || partitions[1] > 1 || partitions[2] > 1;
 }
 
 //------------------------------------------------------------------------------
