@@ -107,6 +107,7 @@ set(rendering_sources
   TransferFunctionStretches
   TransferFunctionTerm
   TransferFunctionTexture
+  VisibleInScene
   VisibleScalars
   vtkLightingTransferFunctionItemEvents
   vtkOpticsShaderPass)

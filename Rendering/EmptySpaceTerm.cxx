@@ -4,34 +4,23 @@
 #include "EmptySpaceTerm.h"
 
 #include "SceneNeeds.h"
+#include "VisibleInScene.h"
 #include "vtkOpticsVolumeMapper.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
-#include "vtkTextureObject.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace
 {
 // Of the cells: where less is empty, looking for it costs more than it saves.
 const double LeastEmptyFraction = 0.1;
 
-vtkImageData* Image(const OpticsScene& scene)
-{
-  return vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
-}
-
 void FindDimensions(const OpticsScene& scene, int dimensions[3])
 {
-  Image(scene)->GetDimensions(dimensions);
+  vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetDimensions(dimensions);
   for (int axis = 0; axis < 3; ++axis)
   {
     dimensions[axis] -= scene.CellScalars ? 1 : 0;
@@ -43,48 +32,13 @@ bool HasOwnShader(const OpticsScene& scene)
 {
   return scene.Volume->GetShaderProperty()->GetNumberOfShaderReplacements() > 0;
 }
-
-// A sample without an opacity by VTK's own function of the scalar is not seen.
-bool IsSeenByScalar(const OpticsScene& scene)
-{
-  return !WantsIntegral(scene) && !WantsClassification(scene) && !HasLabels(scene) && !Is2D(scene) &&
-    !scene.Mapper->GetUseDepthPass() && scene.Scalars->GetNumberOfComponents() != 3 &&
-    scene.Volume->GetProperty()->GetScalarOpacity()->GetSize() > 0;
-}
-
-// As VTK's look-up table.
-std::vector<float> MakeOpacityTable(const OpticsScene& scene, const double dataRange[2])
-{
-  vtkPiecewiseFunction* function = scene.Volume->GetProperty()->GetScalarOpacity();
-  double range[2] = { dataRange[0], dataRange[1] };
-  if (scene.Mapper->GetScalarOpacityRangeType() == vtkGPUVolumeRayCastMapper::NATIVE)
-  {
-    function->GetRange(range);
-  }
-  const int wanted = vtkMath::NearestPowerOfTwo(function->EstimateMinNumberOfSamples(range[0], range[1]));
-  const int largest = vtkTextureObject::GetMaximumTextureSize(scene.Window);
-  std::vector<float> table(std::min(std::max(wanted, 1024), std::max(largest, 1024)));
-  function->GetTable(range[0], range[1], static_cast<int>(table.size()), table.data());
-  return table;
-}
-
-// The range that VTK loads, in the scalars that its coordinates 0 and 1 stand for: codes of 8 and 16 bits count as one
-// more than there are.
-void FindCoordinateRange(const OpticsScene& scene, const double dataRange[2], double range[2])
-{
-  const bool isCode = scene.Scalars->GetDataTypeSize() <= 2;
-  const double largest = isCode ? scene.Scalars->GetDataTypeMax() : 0.0;
-  const double factor = isCode ? largest / (largest + 1.0) : 1.0;
-  range[0] = dataRange[0] * factor;
-  range[1] = dataRange[1] * factor;
-}
 }
 
 //------------------------------------------------------------------------------
 bool EmptySpaceTerm::IsActive(const OpticsScene& scene)
 {
   return scene.Mapper->GetSkipEmptySpace() && FindUnsupported(scene).empty() &&
-    IsSeenByScalar(scene) && !scene.Mapper->HasPartitions() && !HasOwnShader(scene);
+    IsSeenByScalars(scene) && !scene.Mapper->HasPartitions() && !HasOwnShader(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -107,28 +61,30 @@ bool EmptySpaceTerm::Prepare(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 void EmptySpaceTerm::Classify(const OpticsScene& scene)
 {
-  double dataRange[2], range[2];
-  scene.Scalars->GetFiniteRange(dataRange, scene.OpacityComponent);
-  dataRange[0] = static_cast<float>(dataRange[0]); // as VTK keeps them
-  dataRange[1] = static_cast<float>(dataRange[1]);
-  FindCoordinateRange(scene, dataRange, range);
-  if (!(range[1] > range[0]))
+  const VisibleScalars visible = FindVisibleScalars(scene);
+  const VisibleScalars visibleWhereConstant = FindVisibleWhereConstant(scene);
+  const bool isCurrent = visible == this->Visible && visibleWhereConstant == this->VisibleWhereConstant &&
+    this->RangesTime == this->Grid->GetUpdateTime();
+  if (!isCurrent)
   {
-    range[1] = range[0] + 1.0;
-  }
-  const VisibleScalars visible(MakeOpacityTable(scene, dataRange), range, VisibleScalars::Ends::Edges);
-  if (!(visible == this->Visible) || this->RangesTime != this->Grid->GetUpdateTime())
-  {
-    this->Grid->Classify(visible, false);
+    this->Grid->Classify(visible, visibleWhereConstant);
     this->Visible = visible;
+    this->VisibleWhereConstant = visibleWhereConstant;
     this->RangesTime = this->Grid->GetUpdateTime();
   }
 }
 
 //------------------------------------------------------------------------------
-void EmptySpaceTerm::AddFeatures(const OpticsScene&, OpticsFeatures& features)
+// The integral is the last term before this one; without what it draws with it is VTK's own, after all, and the cells
+// are not of that.
+void EmptySpaceTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
-  features.Add(OpticsFeature::EmptySpace);
+  const bool isIntegral = features.Has(OpticsFeature::Integral);
+  if (isIntegral == ReplacesIntegral(scene))
+  {
+    features.Add(OpticsFeature::EmptySpace);
+    features.Add(isIntegral ? OpticsFeature::EmptySpaceOfSegments : OpticsFeature::EmptySpaceOfSamples);
+  }
 }
 
 //------------------------------------------------------------------------------

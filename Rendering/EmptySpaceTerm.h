@@ -35,6 +35,7 @@ private:
 
   vtkNew<vtkMacrocellGrid> Grid;
   VisibleScalars Visible;
+  VisibleScalars VisibleWhereConstant;
   vtkMTimeType RangesTime = 0; // of the grid that was classified
   TermTexture Texture;
   vtkMTimeType UploadedTime = 0;

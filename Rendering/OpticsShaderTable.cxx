@@ -22,7 +22,9 @@
 #include "DataSpaceSegment.h"
 #include "EmptySpaceDec.h"
 #include "EmptySpaceInit.h"
-#include "EmptySpaceSkip.h"
+#include "EmptySpaceOfSamples.h"
+#include "EmptySpaceOfSegments.h"
+#include "EmptySpaceSegmentsInit.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
@@ -240,7 +242,9 @@ const Row Table[] = {
 
   { F::EmptySpace, &BaseDec, EmptySpaceDec },
   { F::EmptySpace, &ShadingInit, EmptySpaceInit },
-  { F::EmptySpace, &BaseImpl, EmptySpaceSkip },
+  { F::EmptySpaceOfSegments, &ShadingInit, EmptySpaceSegmentsInit },
+  { F::EmptySpaceOfSamples, &BaseImpl, EmptySpaceOfSamples },
+  { F::EmptySpaceOfSegments, &BaseImpl, EmptySpaceOfSegments },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.

@@ -74,7 +74,9 @@ enum class OpticsFeature
   HiddenByCropping,
   IsosurfacesNone,
   Isosurfaces,
-  EmptySpace, // samples that see nothing are skipped
+  EmptySpace, // what sees nothing is skipped
+  EmptySpaceOfSamples,
+  EmptySpaceOfSegments, // of the integral's
   Count
 };
 

@@ -49,12 +49,12 @@ bool VisibleScalars::HasAny(double low, double high) const
 bool VisibleScalars::HasNaN() const
 {
   const std::size_t size = this->Below.size() - 1;
-  return this->Below[1] > 0 || this->Below[size] > this->Below[size - 1];
+  return this->ShowsNaN || this->Below[1] > 0 || this->Below[size] > this->Below[size - 1];
 }
 
 //------------------------------------------------------------------------------
 bool VisibleScalars::operator==(const VisibleScalars& other) const
 {
   return this->Below == other.Below && this->Origin == other.Origin && this->Scale == other.Scale &&
-    this->Slack == other.Slack;
+    this->Slack == other.Slack && this->ShowsNaN == other.ShowsNaN;
 }

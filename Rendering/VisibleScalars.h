@@ -34,6 +34,7 @@ public:
    * driver: at one of the table's ends, or in a NaN, which VTK does not draw.
    */
   bool HasNaN() const;
+  void ShowNaN() { this->ShowsNaN = true; } // for reasons of the caller's
 
   bool operator==(const VisibleScalars& other) const;
 
@@ -44,6 +45,7 @@ private:
   double Origin = 0.0;    // scalar to position in the table, in entries
   double Scale = 0.0;
   double Slack = 0.0;
+  bool ShowsNaN = false;
 };
 
 #endif

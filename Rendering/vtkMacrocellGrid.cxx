@@ -79,7 +79,7 @@ std::size_t vtkMacrocellGrid::GetMemorySize()
 bool vtkMacrocellGrid::IsUsable()
 {
   const int* size = this->Dimensions;
-  return this->Scalars && std::min({ size[0], size[1], size[2] }) > 0 &&
+  return this->Scalars && this->Scalars->GetDataType() != VTK_BIT && std::min({ size[0], size[1], size[2] }) > 0 &&
     static_cast<vtkIdType>(size[0]) * size[1] * size[2] == this->Scalars->GetNumberOfTuples() &&
     this->Component < this->Scalars->GetNumberOfComponents();
 }
@@ -160,7 +160,7 @@ void vtkMacrocellGrid::FindRanges()
 }
 
 //------------------------------------------------------------------------------
-void vtkMacrocellGrid::Classify(const VisibleScalars& visible, bool emptyWhereConstant)
+void vtkMacrocellGrid::Classify(const VisibleScalars& visible, const VisibleScalars& visibleWhereConstant)
 {
   const bool showsNaN = visible.HasNaN();
   std::atomic<vtkIdType> empty{ 0 };
@@ -169,8 +169,8 @@ void vtkMacrocellGrid::Classify(const VisibleScalars& visible, bool emptyWhereCo
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
       const float low = this->Lowest[cell], high = this->Highest[cell];
-      const bool hidesNumbers =
-        low > high || (emptyWhereConstant && low == high) || !visible.HasAny(low, high);
+      const VisibleScalars& seen = low == high ? visibleWhereConstant : visible;
+      const bool hidesNumbers = low > high || !seen.HasAny(low, high);
       const bool isEmpty = hidesNumbers && (this->NonFinite[cell] == 0 || !showsNaN);
       this->Distances[cell] = isEmpty ? 1 : 0;
       count += isEmpty ? 1 : 0;

@@ -99,10 +99,10 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Finds the cells without a scalar that can be seen, and the distances to the others.
-   * emptyWhereConstant: a cell of one scalar is empty whatever its opacity, as in data space.
+   * Finds the cells without a scalar that can be seen, and the distances to the others. Of a cell of one scalar
+   * alone visibleWhereConstant tells: in data space it is empty even where the function is opaque.
    */
-  void Classify(const VisibleScalars& visible, bool emptyWhereConstant);
+  void Classify(const VisibleScalars& visible, const VisibleScalars& visibleWhereConstant);
 
   /** One of each cell, x running fastest. */
   const std::vector<unsigned char>& GetDistances() const { return this->Distances; }

@@ -209,7 +209,9 @@ void CheckClassification(Check& check, const Field& field, bool emptyWhereConsta
   field.SetUp(grid, 2, 0);
   grid->Update();
   const VisibleScalars visible = SomeScalars();
-  grid->Classify(visible, emptyWhereConstant);
+  const double range[2] = { 0.0, 100.0 };
+  const VisibleScalars nothing(std::vector<float>(2, 0.0F), range, VisibleScalars::Ends::Edges);
+  grid->Classify(visible, emptyWhereConstant ? nothing : visible);
   std::vector<bool> isEmpty;
   ForEachCell(grid, [&](const int cell[3]) {
     const Cell found = Search(field, cell, 2, 0);
