@@ -37,8 +37,8 @@ bool HasOwnShader(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool EmptySpaceTerm::IsActive(const OpticsScene& scene)
 {
-  return scene.Mapper->GetSkipEmptySpace() && FindUnsupported(scene).empty() &&
-    IsSeenByScalars(scene) && !scene.Mapper->HasPartitions() && !HasOwnShader(scene);
+  return scene.Mapper->GetSkipEmptySpace() && FindUnsupported(scene).empty() && IsSeenByScalars(scene) &&
+    !scene.Mapper->HasPartitions() && !HasOwnShader(scene);
 }
 
 //------------------------------------------------------------------------------

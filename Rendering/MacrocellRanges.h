@@ -64,8 +64,7 @@ private:
   MacrocellRow Reduce(int y, int z) const
   {
     MacrocellRow row(this->Columns);
-    const std::size_t voxel =
-      (static_cast<std::size_t>(z) * this->Dimensions[1] + y) * this->Dimensions[0];
+    const std::size_t voxel = (static_cast<std::size_t>(z) * this->Dimensions[1] + y) * this->Dimensions[0];
     const Scalar* first = this->Scalars + voxel * this->Stride;
     for (int column = 0; column < this->Columns; ++column)
     {

@@ -87,8 +87,8 @@ vtkImageData* Function2D(const OpticsScene& scene)
 
 bool IsUsable2D(vtkImageData* function)
 {
-  return function && function->GetScalarType() == VTK_FLOAT &&
-    function->GetNumberOfScalarComponents() == 4 && function->GetDimensions()[0] > 1;
+  return function && function->GetScalarType() == VTK_FLOAT && function->GetNumberOfScalarComponents() == 4 &&
+    function->GetDimensions()[0] > 1;
 }
 
 // The largest opacity of a scalar, whatever the second coordinate; of its neighbours too, between which VTK

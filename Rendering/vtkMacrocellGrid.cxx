@@ -79,7 +79,8 @@ std::size_t vtkMacrocellGrid::GetMemorySize()
 bool vtkMacrocellGrid::IsUsable()
 {
   const int* size = this->Dimensions;
-  return this->Scalars && this->Scalars->GetDataType() != VTK_BIT && std::min({ size[0], size[1], size[2] }) > 0 &&
+  return this->Scalars && this->Scalars->GetDataType() != VTK_BIT &&
+    std::min({ size[0], size[1], size[2] }) > 0 &&
     static_cast<vtkIdType>(size[0]) * size[1] * size[2] == this->Scalars->GetNumberOfTuples() &&
     this->Component < this->Scalars->GetNumberOfComponents();
 }
@@ -148,11 +149,11 @@ void vtkMacrocellGrid::FindRanges()
     const vtkIdType end = std::min(begin + batch, layers);
     switch (this->Scalars->GetDataType())
     {
-      vtkTemplateMacro(FindLayers(
-        volumeoptics::MacrocellLayer<VTK_TT>(
-          static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)) + this->Component, components,
-          this->Dimensions, this->CellSize),
-        begin, end, this->Lowest, this->Highest, this->NonFinite));
+      vtkTemplateMacro(
+        FindLayers(volumeoptics::MacrocellLayer<VTK_TT>(
+                     static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)) + this->Component,
+                     components, this->Dimensions, this->CellSize),
+          begin, end, this->Lowest, this->Highest, this->NonFinite));
     }
     double progress = static_cast<double>(end) / layers;
     this->InvokeEvent(vtkCommand::ProgressEvent, &progress);

@@ -105,7 +105,10 @@ public:
   void Classify(const VisibleScalars& visible, const VisibleScalars& visibleWhereConstant);
 
   /** One of each cell, x running fastest. */
-  const std::vector<unsigned char>& GetDistances() const { return this->Distances; }
+  const std::vector<unsigned char>& GetDistances() const
+  {
+    return this->Distances;
+  }
 #endif
 
 protected:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-    // Place Base::Impl, before VTK's text. To the last sample before a segment that may see something, where the ray
-    // begins anew; its places are those it comes to step by step.
+    // Place Base::Impl, before VTK's text. To the last sample before a segment that may see something, by the very steps
+    // that the ray takes otherwise. The segment that ends there is as long as all that is skipped, and sees nothing.
     float opticsSteps = opticsEmptySteps(g_dataPos, opticsIsForward, opticsStepsPerCell);
     bool opticsIsEmpty = opticsIsShort && opticsSteps > 0.0;
     bool opticsSkips = opticsIsEmpty && opticsIsFrontEmpty;
@@ -30,7 +30,5 @@
     {
       g_opticsPlace = opticsLastPlace;
       g_dataPos = g_rayOrigin + g_dirStep * g_opticsPlace;
-      g_opticsHasFront = false;
-      g_opticsWasHidden = false;
     }
     opticsIsFrontEmpty = opticsIsEmpty;

@@ -204,8 +204,7 @@ int main(int argc, char** argv)
       options);
   }
   const vtkSmartPointer<vtkImageData> field = MarschnerLobb();
-  CompareModels(
-    { "Marschner-Lobb shell", field, { { 0.48, 0.0 }, { 0.5, 0.9 }, { 0.52, 0.0 } } }, options);
+  CompareModels({ "Marschner-Lobb shell", field, { { 0.48, 0.0 }, { 0.5, 0.9 }, { 0.52, 0.0 } } }, options);
   CompareModels({ "opaque cube", field, { { 0.0, 0.5 }, { 1.0, 0.9 } } }, options);
   CompareModels({ "transparent fog", field, { { 0.0, 0.001 }, { 1.0, 0.002 } } }, options);
   return EXIT_SUCCESS;

@@ -104,8 +104,8 @@ void TestTypes(Check& check)
          VTK_UNSIGNED_INT, VTK_LONG, VTK_FLOAT, VTK_DOUBLE })
   {
     const double offset = type == VTK_SIGNED_CHAR ? -90.0 : type == VTK_SHORT ? -1000.0 : 10.0;
-    CompareWithVTK(check, vtkImageScalarTypeNameMacro(type),
-      [&](TestScene& scene) { UseType(scene, type, offset); });
+    CompareWithVTK(
+      check, vtkImageScalarTypeNameMacro(type), [&](TestScene& scene) { UseType(scene, type, offset); });
   }
   // large numbers of few digits in a float
   CompareWithVTK(check, "an offset", [](TestScene& scene) { UseType(scene, VTK_FLOAT, 1.0e6); });
@@ -134,10 +134,7 @@ void SetOpacities(TestScene& scene, const std::vector<std::pair<double, double>>
 }
 
 const Row MoreScenes[] = {
-  { "NaN",
-    [](TestScene& scene) {
-      UseOddities(scene, { std::numeric_limits<float>::quiet_NaN() });
-    } },
+  { "NaN", [](TestScene& scene) { UseOddities(scene, { std::numeric_limits<float>::quiet_NaN() }); } },
   { "NaN that may be seen",
     [](TestScene& scene) {
       UseOddities(scene, { std::numeric_limits<float>::quiet_NaN() });
@@ -162,13 +159,20 @@ const Row MoreScenes[] = {
       scene.Opacity->ClampingOff();
     } },
   { "native range",
-    [](TestScene& scene) {
-      scene.Mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
-    } },
+    [](TestScene& scene) { scene.Mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE); } },
   { "long steps", [](TestScene& scene) { scene.Mapper->SetSampleDistance(0.4F); } },
+  { "thin and clear shell, steps of two voxels",
+    [](TestScene& scene) {
+      SetOpacities(scene, { { 0.5, 0.0 }, { 0.501, 0.005 }, { 0.502, 0.0 } });
+      scene.Mapper->SetSampleDistance(0.13F);
+    } },
+  { "thin and clear shell, steps longer than a cell",
+    [](TestScene& scene) {
+      SetOpacities(scene, { { 0.5, 0.0 }, { 0.501, 0.9 }, { 0.502, 0.0 } });
+      scene.Mapper->SetSampleDistance(0.6F);
+    } },
   { "short steps", [](TestScene& scene) { scene.Mapper->SetSampleDistance(0.003F); } },
-  { "nearest neighbour",
-    [](TestScene& scene) { scene.Property->SetInterpolationTypeToNearest(); } },
+  { "nearest neighbour", [](TestScene& scene) { scene.Property->SetInterpolationTypeToNearest(); } },
   { "not shaded", [](TestScene& scene) { scene.Property->ShadeOff(); } },
   { "a plain property",
     [](TestScene& scene) {
@@ -201,8 +205,7 @@ void TestModels(Check& check)
     CompareWithout(check, "model " + std::to_string(model),
       [&](TestScene& scene) { scene.Property->SetReflectanceModel(model); });
   }
-  CompareWithout(
-    check, "lighting table", [](TestScene& scene) { LightEverywhere(scene, 0.2, 0.6, 0.3); });
+  CompareWithout(check, "lighting table", [](TestScene& scene) { LightEverywhere(scene, 0.2, 0.6, 0.3); });
   CompareInFloat(check, "Ward", UseWard);
   for (const Row& row : Rows)
   {
@@ -221,7 +224,8 @@ void TestModels(Check& check)
 void UseIntegral(TestScene& scene, std::size_t kind)
 {
   vtkOpticsVolumeProperty* property = scene.Property;
-  property->SetIntegrationSpace(kind % 3 == 0 ? vtkOpticsVolumeProperty::Physical : vtkOpticsVolumeProperty::Data);
+  property->SetIntegrationSpace(
+    kind % 3 == 0 ? vtkOpticsVolumeProperty::Physical : vtkOpticsVolumeProperty::Data);
   property->SetClassification(
     kind % 3 == 1 ? vtkOpticsVolumeProperty::Post : vtkOpticsVolumeProperty::PreIntegrated);
   property->AddIsosurface(0.45, 0.8, 0.2, 0.1, 0.4);
@@ -272,8 +276,8 @@ void TestIntegralInScenes(Check& check)
   }
   for (kind = 0; kind < 3; ++kind)
   {
-    CompareInFloat(check, "integral " + std::to_string(kind),
-      [&](TestScene& scene) { UseIntegral(scene, kind); });
+    CompareInFloat(
+      check, "integral " + std::to_string(kind), [&](TestScene& scene) { UseIntegral(scene, kind); });
   }
 }
 

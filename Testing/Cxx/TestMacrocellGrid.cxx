@@ -136,9 +136,9 @@ void CheckRanges(Check& check, const Field& field, int cellSize, int component)
 
 void TestRanges(Check& check)
 {
-  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT,
-         VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE,
-         VTK_FLOAT, VTK_DOUBLE })
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
+         VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG,
+         VTK_ID_TYPE, VTK_FLOAT, VTK_DOUBLE })
   {
     for (const auto& size : Sizes)
     {
@@ -219,10 +219,11 @@ void CheckClassification(Check& check, const Field& field, bool emptyWhereConsta
     isEmpty.push_back(isConstant || !visible.HasAny(found.Low, found.High));
   });
   const auto empty = std::count(isEmpty.begin(), isEmpty.end(), true);
-  check.Near("empty fraction", grid->GetEmptyFraction(), static_cast<double>(empty) / isEmpty.size(), 1.0e-15);
+  check.Near(
+    "empty fraction", grid->GetEmptyFraction(), static_cast<double>(empty) / isEmpty.size(), 1.0e-15);
   ForEachCell(grid, [&](const int cell[3]) {
-    check.That(grid->GetCellDistance(cell[0], cell[1], cell[2]) == Nearest(grid, isEmpty, cell),
-      "a cell's distance");
+    check.That(
+      grid->GetCellDistance(cell[0], cell[1], cell[2]) == Nearest(grid, isEmpty, cell), "a cell's distance");
   });
 }
 

@@ -26,8 +26,8 @@ struct Table
     const float bias = -static_cast<float>(this->Range[0]) * scale;
     const float coordinate = static_cast<float>(scalar) * scale + bias;
     const float size = static_cast<float>(this->Entries.size());
-    const float position = this->Ends == VisibleScalars::Ends::Edges ? coordinate * size - 0.5F
-                                                                     : coordinate * (size - 1.0F);
+    const float position =
+      this->Ends == VisibleScalars::Ends::Edges ? coordinate * size - 0.5F : coordinate * (size - 1.0F);
     const float inside = std::clamp(position, 0.0F, size - 1.0F);
     const std::size_t entry = std::min(static_cast<std::size_t>(inside), this->Entries.size() - 2);
     const float part = inside - static_cast<float>(entry);
@@ -58,7 +58,8 @@ void CheckTable(Check& check, const Table& table, std::mt19937& random)
 void TestRandomTables(Check& check)
 {
   std::mt19937 random(7);
-  const double ranges[][2] = { { 0.0, 1.0 }, { -1024.0, 3071.0 }, { 1.0e6, 1.0e6 + 1.0e3 }, { 0.0, 1.0e-30 } };
+  const double ranges[][2] = { { 0.0, 1.0 }, { -1024.0, 3071.0 }, { 1.0e6, 1.0e6 + 1.0e3 },
+    { 0.0, 1.0e-30 } };
   for (const auto& range : ranges)
   {
     for (const auto ends : { VisibleScalars::Ends::Edges, VisibleScalars::Ends::Centres })
