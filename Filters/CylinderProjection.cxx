@@ -4,6 +4,7 @@
 #include "CylinderProjection.h"
 
 #include "Batches.h"
+#include "LineKernel.h"
 #include "Optics.h"
 #include "SphereDirections.h"
 
@@ -15,50 +16,6 @@ namespace volumeoptics
 namespace
 {
 const double FullTurn = 4.0 * optics::QuarterTurn;
-const int ChannelsOfTable = 6;
-// The exact product's share of one segment ends here: its depth would be infinite at 1.
-const double LargestShare = 0.95;
-const int ProductIntervals = 128;
-
-// Directions up to their sign on a square: the upper half of the octahedron.
-glm::dvec2 SquareOf(const glm::dvec3& direction)
-{
-  const glm::dvec3 upper = direction.z < 0.0 ? -direction : direction;
-  const double sum = std::abs(upper.x) + std::abs(upper.y) + upper.z;
-  return glm::dvec2(upper.x + upper.y, upper.x - upper.y) / sum;
-}
-
-glm::dvec3 DirectionOf(const glm::dvec2& square)
-{
-  const double x = (square.x + square.y) / 2.0, y = (square.x - square.y) / 2.0;
-  return glm::normalize(glm::dvec3(x, y, 1.0 - std::abs(x) - std::abs(y)));
-}
-
-// Tangents along each side of the table, and rows of directions to the viewer: as many as keep
-// interpolation and quadrature below the truncation (TestLineVoxelSegments).
-int SizeOfTable(int order)
-{
-  return 21 + 4 * order;
-}
-
-int RowsOfTable(int order)
-{
-  return 16 + order;
-}
-
-// Harmonics of the radiance times sine, weighted for the integral.
-std::vector<double> WeightBasis(const HarmonicBasis& basis, const std::vector<WeightedDirection>& directions)
-{
-  std::vector<double> weighted(directions.size() * basis.GetCount());
-  for (std::size_t i = 0; i < directions.size(); ++i)
-  {
-    double* row = &weighted[i * basis.GetCount()];
-    basis.Evaluate(directions[i].Direction, row);
-    std::transform(
-      row, row + basis.GetCount(), row, [&](double value) { return value * directions[i].Weight; });
-  }
-  return weighted;
-}
 }
 
 void CylinderProjection::AddRadiance(const glm::dvec3& tangent, const glm::dvec3& toViewer,
@@ -93,10 +50,20 @@ std::array<double, 6> CylinderProjection::ColorRange(const glm::dvec3& least, co
   return { low.x, low.y, low.z, high.x, high.y, high.z };
 }
 
-double CylinderProjection::ProductOverArea(double q)
+void CylinderProjection::SetSegment(const glm::dvec3& tangent, const glm::dvec3& color, SegmentRow& row) const
 {
-  const double share = std::min(q, LargestShare);
-  return share > 1e-9 ? optics::OpticalDepth(share) / share : 1.0;
+  if (tangent != row.Tangent)
+  {
+    double values[HarmonicBasis::LargestCount];
+    this->Settings.Basis->Evaluate(tangent, values);
+    std::copy(values, values + this->Settings.Basis->GetCount(), row.Basis);
+  }
+  if (tangent != row.Tangent || color != row.Color)
+  {
+    row.Tangent = tangent;
+    row.Color = color;
+    this->FillRow(row);
+  }
 }
 
 AnalyticProjection::AnalyticProjection(const ProjectionSettings& settings)
@@ -109,7 +76,10 @@ AnalyticProjection::AnalyticProjection(const ProjectionSettings& settings)
     const bool isHeadlight = light.Kind == LineLight::Headlight;
     diffuse += isHeadlight ? light.Diffuse : glm::dvec3(0.0);
     specular += isHeadlight ? light.Specular : glm::dvec3(0.0);
-    this->TableSize = isHeadlight ? this->TableSize : SizeOfTable(settings.Basis->GetMaximumOrder());
+    if (!isHeadlight && !this->Tangents)
+    {
+      this->Tangents = std::make_unique<TangentTable>(*settings.Basis);
+    }
   }
   const double peak = optics::WallisIntegral(material.Exponent + 1.0) / 2.0;
   for (int l = 0; l <= settings.Basis->GetMaximumOrder(); ++l)
@@ -120,181 +90,71 @@ AnalyticProjection::AnalyticProjection(const ProjectionSettings& settings)
     this->Degrees.push_back({ material.Ambient * area + material.Diffuse * diffuse * lambert,
       material.Specular * specular * lobe, area });
   }
-  if (settings.QuarterSurface > 0.0)
-  {
-    this->PrepareProduct();
-  }
-}
-
-// -ln(1 - q sine)/q as a series of powers of the sine.
-void AnalyticProjection::PrepareProduct()
-{
-  const int order = this->Settings.Basis->GetMaximumOrder();
-  const int terms = 400; // .95^400 = 1e-9
-  this->Products.assign((ProductIntervals + 2) * (order + 1), 0.0);
-  for (int l = 0; l <= order; l += 2)
-  {
-    for (int n = 1; n <= terms; ++n)
-    {
-      const double moment = FullTurn * optics::SineMoment(l, n) / n;
-      for (int i = 0; i <= ProductIntervals + 1; ++i)
-      {
-        const double q = LargestShare * std::min(i, ProductIntervals) / ProductIntervals;
-        this->Products[i * (order + 1) + l] += moment * std::pow(q, n - 1);
-      }
-    }
-  }
 }
 
 bool AnalyticProjection::Prepare(Batches& batches, double progressAtEnd)
 {
-  if (this->TableSize == 0)
-  {
-    return true;
-  }
-  const std::vector<WeightedDirection> directions =
-    GaussDirections(RowsOfTable(this->Settings.Basis->GetMaximumOrder()));
-  const HarmonicBasis& basis = *this->Settings.Basis;
-  const std::vector<double> weighted = WeightBasis(basis, directions);
-  const int count = basis.GetCount();
-  const int places = this->TableSize * this->TableSize;
-  this->Tangents.assign(static_cast<std::size_t>(places) * count * ChannelsOfTable, 0.0F);
-  return batches.Run(places, progressAtEnd, [&](long long place) {
-    const glm::dvec2 index(place % this->TableSize, place / this->TableSize);
-    const glm::dvec3 tangent = DirectionOf(index * (2.0 / (this->TableSize - 1)) - 1.0);
-    std::vector<double> sums(count * ChannelsOfTable, 0.0);
-    for (std::size_t i = 0; i < directions.size(); ++i)
-    {
-      glm::dvec3 light[2] = { glm::dvec3(0.0), glm::dvec3(0.0) };
-      const double sine = glm::length(glm::cross(tangent, directions[i].Direction));
-      this->AddRadiance(tangent, directions[i].Direction, false, light[0], light[1]);
-      const double values[ChannelsOfTable] = { light[0].x * sine, light[0].y * sine, light[0].z * sine,
-        light[1].x * sine, light[1].y * sine, light[1].z * sine };
-      for (int j = 0; j < count; ++j)
-      {
-        for (int c = 0; c < ChannelsOfTable; ++c)
-        {
-          sums[j * ChannelsOfTable + c] += weighted[i * count + j] * values[c];
-        }
-      }
-    }
-    std::copy(sums.begin(), sums.end(), this->Tangents.begin() + place * sums.size());
-  });
+  return !this->Tangents ||
+    this->Tangents->Prepare(
+      [this](const glm::dvec3& tangent, const glm::dvec3& toViewer, glm::dvec3& body, glm::dvec3& highlight) {
+        this->AddRadiance(tangent, toViewer, false, body, highlight);
+      },
+      batches, progressAtEnd);
 }
 
-void AnalyticProjection::Add(const ProjectedSegment& segment, const double* basis, double* sums) const
+void AnalyticProjection::FillRow(SegmentRow& row) const
 {
-  const HarmonicBasis& all = *this->Settings.Basis;
-  const int channels = this->GetChannels();
-  double factors[HarmonicBasis::LargestOrder + 1][4];
-  for (int l = 0; l <= all.GetMaximumOrder(); l += 2)
+  const HarmonicBasis& basis = *this->Settings.Basis;
+  float factors[HarmonicBasis::LargestOrder + 1][4] = {};
+  for (int l = 0; l <= basis.GetMaximumOrder(); l += 2)
   {
     const Zonal& zonal = this->Degrees[l];
-    const glm::dvec3 light = segment.Color * zonal.Body + zonal.Highlight;
-    factors[l][0] = segment.Weight * light.x;
-    factors[l][1] = segment.Weight * light.y;
-    factors[l][2] = segment.Weight * light.z;
-    factors[l][3] = segment.Weight * zonal.Area;
+    const glm::vec4 light(row.Color * zonal.Body + zonal.Highlight, zonal.Area);
+    std::copy(&light.x, &light.x + 4, factors[l]);
   }
-  for (int j = 0; j < all.GetCount(); ++j)
+  for (int j = 0; j < basis.GetCount(); ++j)
   {
-    const int l = all.GetDegree(j);
-    for (int c = 0; c < 4 && l % 2 == 0; ++c)
+    for (int c = 0; c < 4; ++c)
     {
-      sums[j * channels + c] += basis[j] * factors[l][c];
+      row.Radiance[4 * j + c] = row.Basis[j] * factors[basis.GetDegree(j)][c];
     }
   }
-  if (this->TableSize > 0)
+  if (this->Tangents)
   {
-    this->AddTable(segment, sums);
-  }
-  if (channels > ProductChannel)
-  {
-    this->AddProduct(segment, basis, sums);
+    this->Tangents->Add(row.Tangent, row.Color, row.Radiance);
   }
 }
 
-void AnalyticProjection::AddTable(const ProjectedSegment& segment, double* sums) const
+void AnalyticProjection::Add(const SegmentRow& row, double weight, double* sums) const
 {
-  const glm::dvec2 place = (SquareOf(segment.Tangent) + 1.0) * 0.5 * (this->TableSize - 1.0);
-  const int column = std::clamp(static_cast<int>(place.x), 0, this->TableSize - 2);
-  const int row = std::clamp(static_cast<int>(place.y), 0, this->TableSize - 2);
-  const int size = this->Settings.Basis->GetCount() * ChannelsOfTable;
-  float light[HarmonicBasis::LargestCount * ChannelsOfTable];
-  std::fill_n(light, size, 0.0F);
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const int right = corner & 1, up = corner >> 1;
-    const auto weight = static_cast<float>(
-      (right ? place.x - column : 1.0 - (place.x - column)) * (up ? place.y - row : 1.0 - (place.y - row)));
-    const float* entry =
-      &this->Tangents[(static_cast<std::size_t>(row + up) * this->TableSize + column + right) * size];
-    for (int i = 0; i < size; ++i)
-    {
-      light[i] += weight * entry[i];
-    }
-  }
-  const int channels = this->GetChannels();
-  const double factors[3] = { segment.Weight * segment.Color.x, segment.Weight * segment.Color.y,
-    segment.Weight * segment.Color.z };
-  for (int j = 0; j < this->Settings.Basis->GetCount(); ++j)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      const float* harmonic = light + j * ChannelsOfTable;
-      sums[j * channels + c] += factors[c] * harmonic[c] + segment.Weight * harmonic[c + 3];
-    }
-  }
-}
-
-void AnalyticProjection::AddProduct(const ProjectedSegment& segment, const double* basis, double* sums) const
-{
-  const HarmonicBasis& all = *this->Settings.Basis;
-  const int stride = all.GetMaximumOrder() + 1;
-  const double share = std::min(segment.Weight / this->Settings.QuarterSurface, LargestShare);
-  const double place = share / LargestShare * ProductIntervals;
-  const int i = static_cast<int>(place);
-  for (int j = 0; j < all.GetCount(); ++j)
-  {
-    const double* entry = &this->Products[i * stride + all.GetDegree(j)];
-    const double factor = entry[0] + (place - i) * (entry[stride] - entry[0]);
-    sums[j * this->GetChannels() + ProductChannel] += segment.Weight * factor * basis[j];
-  }
+  AddScaled(row.Radiance, weight, LineChannels * this->Settings.Basis->GetCount(), sums);
 }
 
 SampledProjection::SampledProjection(const ProjectionSettings& settings, int subdivisions)
   : CylinderProjection(settings)
 {
   const std::vector<WeightedDirection> directions = OctahedronDirections(subdivisions);
-  this->WeightedBasis = WeightBasis(*settings.Basis, directions);
+  this->WeightedBasis = settings.Basis->Weighted(directions);
   for (const WeightedDirection& direction : directions)
   {
     this->Directions.push_back(direction.Direction);
   }
 }
 
-void SampledProjection::Add(const ProjectedSegment& segment, const double*, double* sums) const
+void SampledProjection::Add(const SegmentRow& row, double weight, double* sums) const
 {
   const int count = this->Settings.Basis->GetCount();
-  const int channels = this->GetChannels();
   for (std::size_t i = 0; i < this->Directions.size(); ++i)
   {
     glm::dvec3 body = this->Settings.Material.Ambient, highlight(0.0);
-    this->AddRadiance(segment.Tangent, this->Directions[i], true, body, highlight);
-    const double area = segment.Weight * glm::length(glm::cross(segment.Tangent, this->Directions[i]));
-    const glm::dvec3 light = (segment.Color * body + highlight) * area;
-    double values[5] = { light.x, light.y, light.z, area, 0.0 };
-    if (channels > ProductChannel)
-    {
-      values[ProductChannel] = area * ProductOverArea(area / this->Settings.QuarterSurface);
-    }
+    this->AddRadiance(row.Tangent, this->Directions[i], true, body, highlight);
+    const double area = weight * glm::length(glm::cross(row.Tangent, this->Directions[i]));
+    const glm::dvec3 light = (row.Color * body + highlight) * area;
+    const double values[LineChannels] = { light.x, light.y, light.z, area };
     const double* basis = &this->WeightedBasis[i * count];
-    for (int j = 0; j < count; ++j)
+    for (int j = 0; j < LineChannels * count; ++j)
     {
-      for (int c = 0; c < channels; ++c)
-      {
-        sums[j * channels + c] += basis[j] * values[c];
-      }
+      sums[j] += basis[j / LineChannels] * values[j % LineChannels];
     }
   }
 }

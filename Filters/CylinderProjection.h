@@ -9,23 +9,27 @@
 
 #include "HarmonicBasis.h"
 #include "LineLighting.h"
+#include "TangentTable.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace volumeoptics
 {
 class Batches;
 
-// Red, green, blue times area; area; with the exact product -ln(1 - q), in units of the area, too.
+// Red, green, blue times area; area.
 constexpr int AreaChannel = 3;
-constexpr int ProductChannel = 4;
+constexpr int LineChannels = 4;
 
-struct ProjectedSegment
+// What the parts of a segment share.
+struct SegmentRow
 {
-  glm::dvec3 Tangent; // unit
-  glm::dvec3 Color;
-  double Weight; // 2 radius length: the area from the side
+  glm::dvec3 Tangent = glm::dvec3(0.0); // unit
+  glm::dvec3 Color = glm::dvec3(0.0);
+  float Basis[HarmonicBasis::LargestCount];                   // of the tangent
+  float Radiance[LineChannels * HarmonicBasis::LargestCount]; // [harmonic][channel], of weight 1
 };
 
 struct ProjectionSettings
@@ -34,7 +38,6 @@ struct ProjectionSettings
   LineMaterial Material;
   std::vector<LineLight> Lights;
   glm::dvec3 ViewUp = glm::dvec3(0.0, 0.0, 1.0);
-  double QuarterSurface = 0.0; // above 0: with the product's channel; a quarter of the voxel's surface
 };
 
 class CylinderProjection
@@ -49,19 +52,20 @@ public:
 
   // Prepares tables; false on abort.
   virtual bool Prepare(Batches&, double) { return true; }
-  // Adds to sums[harmonic][channel]. basis: of the tangent.
-  virtual void Add(const ProjectedSegment& segment, const double* basis, double* sums) const = 0;
-  int GetChannels() const { return this->Settings.QuarterSurface > 0.0 ? 5 : 4; }
+  // Makes the row that of the segment, unless it is.
+  void SetSegment(const glm::dvec3& tangent, const glm::dvec3& color, SegmentRow& row) const;
+  // Adds a part of the weight 2 radius length, its area from the side, to sums[harmonic][channel].
+  virtual void Add(const SegmentRow& row, double weight, double* sums) const = 0;
   // Radiance of a segment of color 1 for coefficient-free light, with all lights but headlights or with
   // all: body takes the segment's colour.
   void AddRadiance(const glm::dvec3& tangent, const glm::dvec3& toViewer, bool withHeadlights,
     glm::dvec3& body, glm::dvec3& highlight) const;
   // Least and largest mean radiance of segments whose colours are within the box.
   std::array<double, 6> ColorRange(const glm::dvec3& least, const glm::dvec3& largest) const;
-  // -ln(1 - q)/q at q = weight sine over a quarter of the surface.
-  static double ProductOverArea(double q);
 
 protected:
+  virtual void FillRow(SegmentRow&) const {}
+
   ProjectionSettings Settings;
   CosinePowerTable Table;
 };
@@ -73,7 +77,10 @@ class AnalyticProjection : public CylinderProjection
 public:
   explicit AnalyticProjection(const ProjectionSettings& settings);
   bool Prepare(Batches& batches, double progressAtEnd) override;
-  void Add(const ProjectedSegment& segment, const double* basis, double* sums) const override;
+  void Add(const SegmentRow& row, double weight, double* sums) const override;
+
+protected:
+  void FillRow(SegmentRow& row) const override;
 
 private:
   struct Zonal
@@ -81,14 +88,8 @@ private:
     glm::dvec3 Body, Highlight;
     double Area;
   };
-  void PrepareProduct();
-  void AddTable(const ProjectedSegment& segment, double* sums) const;
-  void AddProduct(const ProjectedSegment& segment, const double* basis, double* sums) const;
-
   std::vector<Zonal> Degrees;
-  int TableSize = 0;            // 0: headlights alone
-  std::vector<float> Tangents;  // [place][harmonic][body rgb, highlight rgb]
-  std::vector<double> Products; // [q][degree]
+  std::unique_ptr<TangentTable> Tangents; // none: headlights alone
 };
 
 // [Schussman2004] section 5: samples of the whole function in the octahedron's directions.
@@ -96,7 +97,7 @@ class SampledProjection : public CylinderProjection
 {
 public:
   SampledProjection(const ProjectionSettings& settings, int subdivisions);
-  void Add(const ProjectedSegment& segment, const double* basis, double* sums) const override;
+  void Add(const SegmentRow& row, double weight, double* sums) const override;
 
 private:
   std::vector<glm::dvec3> Directions;

@@ -63,4 +63,17 @@ void HarmonicBasis::Evaluate(const glm::dvec3& direction, double* values) const
     }
   }
 }
+
+std::vector<double> HarmonicBasis::Weighted(const std::vector<WeightedDirection>& directions) const
+{
+  std::vector<double> weighted(directions.size() * this->GetCount());
+  double* row = weighted.data();
+  for (const WeightedDirection& node : directions)
+  {
+    this->Evaluate(node.Direction, row);
+    std::transform(row, row + this->GetCount(), row, [&](double value) { return value * node.Weight; });
+    row += this->GetCount();
+  }
+  return weighted;
+}
 }

@@ -6,6 +6,8 @@
 #ifndef HarmonicBasis_h
 #define HarmonicBasis_h
 
+#include "SphereDirections.h"
+
 #include <glm/glm.hpp>
 
 #include <vector>
@@ -28,6 +30,8 @@ public:
   int GetIndex(int i) const { return this->Indices[i]; }
   // direction: unit; values: GetCount() of them.
   void Evaluate(const glm::dvec3& direction, double* values) const;
+  // [direction][harmonic], times the direction's weight: for integrals over the sphere.
+  std::vector<double> Weighted(const std::vector<WeightedDirection>& directions) const;
 
 private:
   struct Step

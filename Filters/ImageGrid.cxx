@@ -54,6 +54,19 @@ double FinestSpacing(const ImageGrid& grid)
   return finest > 0.0 ? finest : 1.0;
 }
 
+void FillWhole(ImageGrid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int first = grid.InputWhole[2 * axis];
+    const int last = grid.InputWhole[2 * axis + 1];
+    grid.Whole[2 * axis] = static_cast<int>(std::ceil(first * grid.Factor - Rounding));
+    grid.Whole[2 * axis + 1] = last < first
+      ? grid.Whole[2 * axis] - 1
+      : std::max(grid.Whole[2 * axis], static_cast<int>(std::floor(last * grid.Factor + Rounding)));
+  }
+}
+
 int FloorMultiple(int value, int size)
 {
   const int quotient = value / size - (value % size < 0 ? 1 : 0);
@@ -71,13 +84,8 @@ ImageGrid MakeImageGrid(vtkInformation* input, double factor)
   for (int axis = 0; axis < 3; ++axis)
   {
     grid.Spacing[axis] = ValidSpacing(spacing ? spacing[axis] : 1.0);
-    const int first = grid.InputWhole[2 * axis];
-    const int last = grid.InputWhole[2 * axis + 1];
-    grid.Whole[2 * axis] = static_cast<int>(std::ceil(first * factor - Rounding));
-    grid.Whole[2 * axis + 1] = last < first
-      ? grid.Whole[2 * axis] - 1
-      : std::max(grid.Whole[2 * axis], static_cast<int>(std::floor(last * factor + Rounding)));
   }
+  FillWhole(grid);
   FillDirection(input, grid);
   grid.VoxelLength = FinestSpacing(grid);
   grid.Spacing /= factor;
@@ -97,6 +105,25 @@ Extent InputExtent(const ImageGrid& grid, const Extent& output)
     extent[2 * axis + 1] = std::clamp(static_cast<int>(std::ceil(last)), least, largest);
   }
   return extent;
+}
+
+Extent OutputExtent(const ImageGrid& grid, const Extent& input)
+{
+  Extent extent;
+  for (int i = 0; i < 6; ++i)
+  {
+    extent[i] = static_cast<int>(std::ceil(input[i] * grid.Factor - Rounding));
+  }
+  return Intersection(extent, grid.Whole);
+}
+
+ImageGrid ClippedGrid(const ImageGrid& grid, const Extent& input)
+{
+  ImageGrid clipped = grid;
+  clipped.InputWhole = Intersection(grid.InputWhole, input);
+  FillWhole(clipped);
+  clipped.Whole = Intersection(grid.Whole, clipped.Whole);
+  return clipped;
 }
 
 Halo CoveringHalo(const ImageGrid& grid, double length)
@@ -120,6 +147,17 @@ Extent Grown(const Extent& extent, const Halo& halo, const Extent& whole)
     grown[2 * axis + 1] = std::min(extent[2 * axis + 1] + halo[axis], whole[2 * axis + 1]);
   }
   return grown;
+}
+
+Extent Intersection(const Extent& a, const Extent& b)
+{
+  Extent common;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    common[2 * axis] = std::max(a[2 * axis], b[2 * axis]);
+    common[2 * axis + 1] = std::min(a[2 * axis + 1], b[2 * axis + 1]);
+  }
+  return common;
 }
 
 bool IsEmpty(const Extent& extent)

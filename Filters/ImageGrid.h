@@ -36,10 +36,18 @@ ImageGrid MakeImageGrid(vtkInformation* input, double factor);
 // Extent of the input that the output extent is interpolated from.
 Extent InputExtent(const ImageGrid& grid, const Extent& output);
 
+// The extent of the output over an extent of the input, up to the first voxel that lies beyond: extents that
+// share their last voxels share those of the output.
+Extent OutputExtent(const ImageGrid& grid, const Extent& input);
+
+// The grid with a part of the input as its whole.
+ImageGrid ClippedGrid(const ImageGrid& grid, const Extent& input);
+
 // Voxels of the output that a world length covers along each axis; 0 along an axis of one voxel.
 Halo CoveringHalo(const ImageGrid& grid, double length);
 
 Extent Grown(const Extent& extent, const Halo& halo, const Extent& whole);
+Extent Intersection(const Extent& a, const Extent& b);
 bool IsEmpty(const Extent& extent);
 bool Contains(const Extent& outer, const Extent& inner);
 long long NumberOfVoxels(const Extent& extent);

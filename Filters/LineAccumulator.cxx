@@ -4,13 +4,14 @@
 #include "LineAccumulator.h"
 
 #include "Batches.h"
+#include "Optics.h"
+#include "ProcessGroup.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 namespace volumeoptics
 {
@@ -108,7 +109,7 @@ void LineAccumulator::AddPart(const LineSegment& segment, Portion& portion) cons
     static_cast<unsigned char>(segment.Type) };
   const std::size_t before = portion.Parts.size();
   GridTraversal(grid, segment.Begin, segment.End).ForEachVoxel([&](const glm::ivec3& voxel, double share) {
-    part.Weight = static_cast<float>(weight * share);
+    part.Weight = static_cast<float>(this->DepthWeight(weight * share));
     part.Place = static_cast<unsigned short>(grid.PlaceInBrick(voxel));
     portion.Parts.push_back(part);
     portion.Bricks.push_back(static_cast<unsigned int>(grid.BrickOf(voxel)));
@@ -117,6 +118,17 @@ void LineAccumulator::AddPart(const LineSegment& segment, Portion& portion) cons
   {
     portion.Colors[segment.Type].Add(segment.Color);
   }
+}
+
+// What a part's area is worth in a sum of depths: [Schussman2004] eq. 7 multiplies 1 - q of its parts, so
+// that their depths -ln(1 - q) add up, with the ratio to q of the mean over all directions. A part that
+// covers the voxel is as deep as one that just does.
+double LineAccumulator::DepthWeight(double weight) const
+{
+  const double quarterSurface = this->Settings.Grid.Surface() / 4.0;
+  return this->Settings.ExactProduct ? optics::MeanDepthOfShare(std::min(weight / quarterSurface, 1.0)) *
+      quarterSurface * 2.0 / optics::QuarterTurn
+                                     : weight;
 }
 
 // By counting: parts of a brick stay in the order of their segments.
@@ -161,8 +173,7 @@ void LineAccumulator::Partition(std::vector<Portion>& portions)
 void LineAccumulator::SumBrick(std::size_t range, Workspace& work)
 {
   const int places = this->Settings.Grid.VoxelsOfBrick();
-  const std::size_t size =
-    static_cast<std::size_t>(this->Settings.Basis->GetCount()) * this->Settings.Channels;
+  const std::size_t size = this->SizeOfVoxel();
   work.Slots.resize(places);
   work.Values.resize(places * size);
   for (auto& [number, type] : this->Types)
@@ -174,32 +185,25 @@ void LineAccumulator::SumBrick(std::size_t range, Workspace& work)
     {
       continue;
     }
-    std::unique_ptr<Sums>& kept = type.Bricks[this->Ranges[range].Brick];
+    std::unique_ptr<LineSums>& kept = type.Bricks[this->Ranges[range].Brick];
     if (!kept)
     {
-      kept = std::make_unique<Sums>();
+      kept = std::make_unique<LineSums>();
       kept->Slots.assign(places, -1);
     }
     for (std::size_t i = 0; i < work.Places.size(); ++i)
     {
-      short& slot = kept->Slots[work.Places[i]];
-      if (slot < 0)
-      {
-        slot = static_cast<short>(kept->Values.size() / size);
-        kept->Values.resize(kept->Values.size() + size, 0.0F);
-      }
-      std::transform(&work.Values[i * size], &work.Values[i * size] + size, &kept->Values[slot * size],
-        &kept->Values[slot * size], [](double added, float sum) { return static_cast<float>(sum + added); });
+      float* to = kept->At(work.Places[i], size);
+      std::transform(&work.Values[i * size], &work.Values[i * size] + size, to, to,
+        [](double added, float sum) { return static_cast<float>(sum + added); });
     }
   }
 }
 
 void LineAccumulator::SumType(TypeSums& type, int number, std::size_t range, Workspace& work) const
 {
-  const HarmonicBasis& basis = *this->Settings.Basis;
-  const std::size_t size = static_cast<std::size_t>(basis.GetCount()) * this->Settings.Channels;
-  double values[HarmonicBasis::LargestCount];
-  glm::dvec3 last(0.0);
+  const std::size_t size = this->SizeOfVoxel();
+  work.Row.Tangent = glm::dvec3(0.0); // another type's lights
   for (std::size_t i = this->Ranges[range].First; i < this->Ranges[range].Last; ++i)
   {
     const Part& part = this->Parts[i];
@@ -214,51 +218,86 @@ void LineAccumulator::SumType(TypeSums& type, int number, std::size_t range, Wor
       work.Places.push_back(part.Place);
       std::fill_n(&work.Values[slot * size], size, 0.0);
     }
-    const ProjectedSegment segment{ { part.Tangent[0], part.Tangent[1], part.Tangent[2] },
-      { part.Color[0], part.Color[1], part.Color[2] }, part.Weight };
-    if (segment.Tangent != last)
-    {
-      basis.Evaluate(segment.Tangent, values);
-      last = segment.Tangent;
-    }
-    type.Projection->Add(segment, values, &work.Values[slot * size]);
+    type.Projection->SetSegment({ part.Tangent[0], part.Tangent[1], part.Tangent[2] },
+      { part.Color[0], part.Color[1], part.Color[2] }, work.Row);
+    type.Projection->Add(work.Row, part.Weight, &work.Values[slot * size]);
   }
 }
 
-bool LineAccumulator::Finish(
-  Batches& batches, double progressAtEnd, std::vector<int>& brickIndices, std::vector<LineTypeBricks>& bricks)
+std::set<int> LineAccumulator::GetTypes() const
+{
+  std::set<int> types;
+  for (const auto& type : this->Types)
+  {
+    types.insert(type.first);
+  }
+  return types;
+}
+
+std::size_t LineAccumulator::SizeOfVoxel() const
+{
+  return static_cast<std::size_t>(this->Settings.Basis->GetCount()) * LineChannels;
+}
+
+// Numbers the bricks that one of the processes has something of.
+std::vector<long long> LineAccumulator::NumberBricks(
+  const ProcessGroup& processes, std::vector<int>& brickIndices) const
 {
   const long long count = this->Settings.Grid.NumberOfBricks();
+  std::vector<unsigned char> isOccupied(count);
+  for (long long brick = 0; brick < count; ++brick)
+  {
+    isOccupied[brick] = std::any_of(
+      this->Types.begin(), this->Types.end(), [&](const auto& type) { return !!type.second.Bricks[brick]; });
+  }
+  processes.Largest(isOccupied);
   brickIndices.assign(count, -1);
   std::vector<long long> occupied;
   for (long long brick = 0; brick < count; ++brick)
   {
-    const bool isOccupied = std::any_of(
-      this->Types.begin(), this->Types.end(), [&](const auto& type) { return !!type.second.Bricks[brick]; });
-    if (isOccupied)
+    if (isOccupied[brick])
     {
       brickIndices[brick] = static_cast<int>(occupied.size());
       occupied.push_back(brick);
     }
   }
-  for (const auto& type : this->Types)
+  return occupied;
+}
+
+void LineAccumulator::MakeSets(
+  const ProcessGroup& processes, std::size_t occupied, std::vector<LineTypeBricks>& bricks)
+{
+  for (auto& type : this->Types)
   {
     bricks.emplace_back();
     bricks.back().Type = type.first;
-    bricks.back().Channels = this->Settings.Channels;
-    bricks.back().Bricks.resize(occupied.size());
-    const LineBounds& colors = type.second.Colors;
+    bricks.back().Channels = LineChannels;
+    bricks.back().Bricks.resize(occupied);
+    LineBounds& colors = type.second.Colors;
+    processes.Least(&colors.Least.x, 3);
+    processes.Largest(&colors.Largest.x, 3);
     if (!colors.IsEmpty())
     {
       bricks.back().ColorRange = type.second.Projection->ColorRange(colors.Least, colors.Largest);
     }
+  }
+}
+
+bool LineAccumulator::Finish(Batches& batches, double progressAtEnd, const ProcessGroup& processes,
+  std::vector<int>& brickIndices, std::vector<LineTypeBricks>& bricks)
+{
+  const std::vector<long long> occupied = this->NumberBricks(processes, brickIndices);
+  this->MakeSets(processes, occupied.size(), bricks);
+  if (processes.IsShared())
+  {
+    return this->FinishTogether(batches, progressAtEnd, processes, occupied, bricks);
   }
   return batches.Run(static_cast<long long>(occupied.size()), progressAtEnd, [&](long long i) {
     std::size_t set = 0;
     for (auto& type : this->Types)
     {
       LineBrick& brick = bricks[set++].Bricks[i];
-      if (std::unique_ptr<Sums>& sums = type.second.Bricks[occupied[i]])
+      if (std::unique_ptr<LineSums>& sums = type.second.Bricks[occupied[i]])
       {
         this->Compress(*sums, brick);
         sums.reset();
@@ -267,10 +306,9 @@ bool LineAccumulator::Finish(
   });
 }
 
-void LineAccumulator::Compress(const Sums& sums, LineBrick& brick) const
+void LineAccumulator::Compress(const LineSums& sums, LineBrick& brick) const
 {
-  const std::size_t size =
-    static_cast<std::size_t>(this->Settings.Basis->GetCount()) * this->Settings.Channels;
+  const std::size_t size = this->SizeOfVoxel();
   for (std::size_t place = 0; place < sums.Slots.size(); ++place)
   {
     if (sums.Slots[place] >= 0)
@@ -281,59 +319,71 @@ void LineAccumulator::Compress(const Sums& sums, LineBrick& brick) const
   }
 }
 
-// Of each harmonic: its share of the energy of colour, area or product, the largest of these.
+// Of each harmonic: its share of the energy of colour or area, the larger of these.
 void LineAccumulator::ShareEnergy(const float* sums, double* shares) const
 {
-  const int channels = this->Settings.Channels, count = this->Settings.Basis->GetCount();
-  const auto energyOf = [&](int harmonic, int first, int last) {
-    const float* values = sums + harmonic * channels;
-    return std::inner_product(values + first, values + last, values + first, 0.0);
-  };
-  const int groups[4] = { 0, AreaChannel, ProductChannel, channels };
-  std::fill_n(shares, count, 0.0);
-  for (int group = 0; group < channels - 2; ++group)
+  const int count = this->Settings.Basis->GetCount();
+  double colors[HarmonicBasis::LargestCount], areas[HarmonicBasis::LargestCount];
+  double color = 0.0, area = 0.0;
+  for (int i = 0; i < count; ++i)
   {
-    double whole = 0.0;
-    for (int i = 0; i < count; ++i)
-    {
-      whole += energyOf(i, groups[group], groups[group + 1]);
-    }
-    for (int i = 0; i < count && whole > 0.0; ++i)
-    {
-      shares[i] = std::max(shares[i], energyOf(i, groups[group], groups[group + 1]) / whole);
-    }
+    const float* value = sums + LineChannels * i;
+    colors[i] = 1.0 * value[0] * value[0] + 1.0 * value[1] * value[1] + 1.0 * value[2] * value[2];
+    areas[i] = 1.0 * value[AreaChannel] * value[AreaChannel];
+    color += colors[i];
+    area += areas[i];
+  }
+  const double ofColor = color > 0.0 ? 1.0 / color : 0.0, ofArea = area > 0.0 ? 1.0 / area : 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    shares[i] = std::max(colors[i] * ofColor, areas[i] * ofArea);
   }
 }
 
-// Leaves the smallest coefficients out, as long as each of colour, area and product loses at most the
-// tolerance of its energy; and those that are 0. The mean area stays.
+// Leaves the smallest coefficients out, as long as each of colour and area loses at most the tolerance of
+// its energy; and those that are 0. The mean area stays.
+void LineAccumulator::MarkKept(const float* sums, bool* isKept) const
+{
+  const int count = this->Settings.Basis->GetCount();
+  double shares[HarmonicBasis::LargestCount];
+  this->ShareEnergy(sums, shares);
+  std::fill_n(isKept, count, true);
+  int small[HarmonicBasis::LargestCount], *last = small;
+  for (int i = 1; i < count; ++i)
+  {
+    if (shares[i] <= this->Settings.CoefficientTolerance)
+    {
+      *last++ = i;
+    }
+  }
+  std::sort(
+    small, last, [&](int a, int b) { return shares[a] < shares[b] || (shares[a] == shares[b] && a < b); });
+  double dropped = 0.0;
+  for (const int* i = small; i < last && dropped + shares[*i] <= this->Settings.CoefficientTolerance; ++i)
+  {
+    dropped += shares[*i];
+    isKept[*i] = false;
+  }
+}
+
 void LineAccumulator::CompressVoxel(const float* sums, LineBrick& brick) const
 {
   const HarmonicBasis& basis = *this->Settings.Basis;
-  const int channels = this->Settings.Channels, count = basis.GetCount();
-  double shares[HarmonicBasis::LargestCount];
-  this->ShareEnergy(sums, shares);
-  shares[0] = 2.0;
-  int order[HarmonicBasis::LargestCount];
-  std::iota(order, order + count, 0);
-  std::sort(order, order + count,
-    [&](int a, int b) { return shares[a] < shares[b] || (shares[a] == shares[b] && a < b); });
-  double dropped = 0.0;
-  int first = 0;
-  while (first < count && dropped + shares[order[first]] <= this->Settings.CoefficientTolerance)
-  {
-    dropped += shares[order[first++]];
-  }
-  std::sort(order + first, order + count);
+  bool isKept[HarmonicBasis::LargestCount];
+  this->MarkKept(sums, isKept);
   const float scale = static_cast<float>(4.0 / this->Settings.Grid.Surface());
-  for (int i = first; i < count; ++i)
+  const std::size_t before = brick.Harmonics.size();
+  for (int i = 0; i < basis.GetCount(); ++i)
   {
-    brick.Harmonics.push_back(static_cast<unsigned char>(basis.GetIndex(order[i])));
-    for (int c = 0; c < channels; ++c)
+    if (isKept[i])
     {
-      brick.Values.push_back(sums[order[i] * channels + c] * scale);
+      const float* value = sums + LineChannels * i;
+      const float scaled[LineChannels] = { value[0] * scale, value[1] * scale, value[2] * scale,
+        value[3] * scale };
+      brick.Harmonics.push_back(static_cast<unsigned char>(basis.GetIndex(i)));
+      brick.Values.insert(brick.Values.end(), scaled, scaled + LineChannels);
     }
   }
-  brick.Counts.push_back(count - first);
+  brick.Counts.push_back(static_cast<int>(brick.Harmonics.size() - before));
 }
 }

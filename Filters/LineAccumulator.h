@@ -9,6 +9,7 @@
 #define LineAccumulator_h
 
 #include "CylinderProjection.h"
+#include "LineExchange.h"
 #include "LineGrid.h"
 #include "LineInput.h"
 #include "LineVoxels.h"
@@ -17,11 +18,13 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace volumeoptics
 {
 class Batches;
+class ProcessGroup;
 
 // What was left out or changed.
 struct LineFaults
@@ -36,8 +39,9 @@ struct LineAccumulatorSettings
 {
   LineGrid Grid;
   const HarmonicBasis* Basis = nullptr;
-  int Channels = 4;
   double CoefficientTolerance = 0.0;
+  bool ExactProduct = true;
+  bool OnAllProcesses = true; // or on the first one
 };
 
 class LineAccumulator
@@ -52,9 +56,11 @@ public:
   bool HasProjection(int type) const { return this->Types.count(type) > 0; }
   // False on abort.
   bool Add(const LineInput& input, Batches& batches, double progressAtEnd);
-  // Compresses; false on abort. Sums are gone then.
-  bool Finish(Batches& batches, double progressAtEnd, std::vector<int>& brickIndices,
-    std::vector<LineTypeBricks>& bricks);
+  std::set<int> GetTypes() const;
+  // Compresses the sums of all processes together, which must have the same types; false on abort. Sums are
+  // gone then.
+  bool Finish(Batches& batches, double progressAtEnd, const ProcessGroup& processes,
+    std::vector<int>& brickIndices, std::vector<LineTypeBricks>& bricks);
   const LineFaults& GetFaults() const { return this->Faults; }
 
 private:
@@ -74,15 +80,10 @@ private:
     LineFaults Faults;
     std::map<int, LineBounds> Colors;
   };
-  struct Sums
-  {
-    std::vector<short> Slots; // of each place, -1: none
-    std::vector<float> Values;
-  };
   struct TypeSums
   {
     std::unique_ptr<CylinderProjection> Projection;
-    std::vector<std::unique_ptr<Sums>> Bricks;
+    std::vector<std::unique_ptr<LineSums>> Bricks;
     LineBounds Colors;
   };
   struct Workspace
@@ -90,6 +91,18 @@ private:
     std::vector<short> Slots;
     std::vector<int> Places;
     std::vector<double> Values;
+    SegmentRow Row;
+  };
+
+  struct BrickRange
+  {
+    unsigned int Brick;
+    std::size_t First, Last;
+  };
+  struct SharedBrick
+  {
+    BrickLabel Label;
+    LineSums Sums;
   };
 
   void Clip(const LineInput& input, long long first, long long last, Portion& portion) const;
@@ -99,19 +112,26 @@ private:
   void Partition(std::vector<Portion>& portions);
   void SumBrick(std::size_t range, Workspace& work);
   void SumType(TypeSums& type, int number, std::size_t range, Workspace& work) const;
-  void Compress(const Sums& sums, LineBrick& brick) const;
+  void Compress(const LineSums& sums, LineBrick& brick) const;
   void ShareEnergy(const float* sums, double* shares) const;
+  void MarkKept(const float* sums, bool* isKept) const;
+  double DepthWeight(double weight) const;
   void CompressVoxel(const float* sums, LineBrick& brick) const;
+
+  bool FinishTogether(Batches& batches, double progressAtEnd, const ProcessGroup& processes,
+    const std::vector<long long>& occupied, std::vector<LineTypeBricks>& bricks);
+  std::vector<SharedBrick> Collect(
+    const ProcessGroup& processes, const std::vector<long long>& occupied, const BrickRange& range);
+  std::vector<char> BytesFor(int owner, const ProcessGroup& processes, const std::vector<long long>& occupied,
+    const BrickRange& range);
+  std::size_t SizeOfVoxel() const;
+  std::vector<long long> NumberBricks(const ProcessGroup& processes, std::vector<int>& brickIndices) const;
+  void MakeSets(const ProcessGroup& processes, std::size_t occupied, std::vector<LineTypeBricks>& bricks);
 
   LineAccumulatorSettings Settings;
   std::map<int, TypeSums> Types;
   LineFaults Faults;
   // of the current portion, sorted by brick
-  struct BrickRange
-  {
-    unsigned int Brick;
-    std::size_t First, Last;
-  };
   std::vector<BrickRange> Ranges;
   std::vector<Part> Parts;
   std::vector<std::size_t> Counts;

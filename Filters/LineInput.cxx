@@ -64,7 +64,7 @@ LineInput::Attribute LineInput::FindArray(const std::string& name)
   {
     this->Missing += (this->Missing.empty() ? "\"" : ", \"") + name + "\"";
   }
-  return { array, true };
+  return { array, true }; // of cells, should it be missing
 }
 
 // Three or four components are a colour, of bytes or in [0, 1]; one goes through a table.
@@ -153,7 +153,7 @@ std::set<int> LineInput::GetTypes() const
 {
   if (!this->Type.Array)
   {
-    return { 0 };
+    return this->Type.OfCells ? std::set<int>() : std::set<int>{ 0 };
   }
   std::set<int> types;
   for (vtkIdType i = 0; i < this->Type.Array->GetNumberOfTuples(); ++i)

@@ -76,7 +76,7 @@ public:
       visit(this->Read(cursor.Cell, first - this->Starts[cursor.Cell]));
     }
   }
-  // Types in [0, 255] that occur.
+  // Types in [0, 255] that occur; none where their array is missing.
   std::set<int> GetTypes() const;
   // Of the finite points of the segments from first to last.
   LineBounds GetBounds(long long first, long long last) const;

@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLightCollection.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
@@ -42,23 +43,50 @@ LineGrid MakeLineGrid(const int dimensions[3], const LineBounds& bounds)
 }
 
 //------------------------------------------------------------------------------
-void vtkAnisotropicLineVoxelizer::StartRun(vtkInformation* input)
+void vtkAnisotropicLineVoxelizer::StartRun(vtkInformation* input, vtkInformation* output)
 {
-  this->Current = std::make_unique<Run>(this);
+  this->Current = std::make_unique<Run>(this, volumeoptics::ProcessGroup(this->Controller, this, output));
   Run& run = *this->Current;
   const double* bounds = this->ModelBounds;
   const bool isSet = bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
-  if (!isSet && input->Has(vtkDataObject::BOUNDING_BOX()))
+  const bool isNamed = !isSet && run.Processes.All(input->Has(vtkDataObject::BOUNDING_BOX()));
+  if (isNamed)
   {
     bounds = input->Get(vtkDataObject::BOUNDING_BOX());
   }
-  run.LooksForBounds = bounds == this->ModelBounds && !isSet;
+  run.LooksForBounds = !isSet && !isNamed;
   if (!run.LooksForBounds)
   {
     run.Bounds.Add({ bounds[0], bounds[2], bounds[4] });
     run.Bounds.Add({ bounds[1], bounds[3], bounds[5] });
+    this->AgreeOnBounds(true);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The box of all processes' lines; if a process has failed, all stop.
+bool vtkAnisotropicLineVoxelizer::AgreeOnBounds(bool isRight)
+{
+  Run& run = *this->Current;
+  run.Processes.Least(&run.Bounds.Least.x, 3);
+  run.Processes.Largest(&run.Bounds.Largest.x, 3);
+  run.HasFailed = !this->AllAreRight(isRight);
+  if (!run.HasFailed)
+  {
     this->StartSums();
   }
+  return !run.HasFailed;
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicLineVoxelizer::AllAreRight(bool isRight)
+{
+  const bool areRight = this->Current->Processes.All(isRight);
+  if (isRight && !areRight)
+  {
+    vtkErrorMacro("Another process has no voxels of its lines. Look at its messages.");
+  }
+  return areRight;
 }
 
 //------------------------------------------------------------------------------
@@ -74,7 +102,8 @@ void vtkAnisotropicLineVoxelizer::StartSums()
   volumeoptics::LineAccumulatorSettings settings;
   settings.Grid = run.Grid;
   settings.Basis = run.Basis.get();
-  settings.Channels = this->ExactProduct ? 5 : 4;
+  settings.OnAllProcesses = this->ResultOnAllProcesses;
+  settings.ExactProduct = this->ExactProduct;
   settings.CoefficientTolerance = this->CoefficientTolerance;
   run.Sums = std::make_unique<volumeoptics::LineAccumulator>(settings);
 }
@@ -97,7 +126,6 @@ bool vtkAnisotropicLineVoxelizer::AddTypes(const std::set<int>& types)
     settings.Material.Exponent = power >= 1.0 ? power : settings.Material.Exponent;
     settings.Lights = run.Lights;
     settings.ViewUp = { this->ViewUp[0], this->ViewUp[1], this->ViewUp[2] };
-    settings.QuarterSurface = this->ExactProduct ? run.Grid.Surface() / 4.0 : 0.0;
     std::unique_ptr<volumeoptics::CylinderProjection> projection;
     if (this->Projection == Sampled)
     {
@@ -156,15 +184,15 @@ bool vtkAnisotropicLineVoxelizer::AddPiece(vtkInformationVector** inputs)
   arrays.LookupTable = this->LookupTable;
   if (run.LooksForBounds)
   {
-    if (!this->AddBounds(lines))
+    const bool isDone = this->AddBounds(lines);
+    if (this->NumberOfPieces > 1)
+    {
+      return isDone;
+    }
+    if (!this->AgreeOnBounds(isDone))
     {
       return false;
     }
-    if (this->NumberOfPieces > 1)
-    {
-      return true;
-    }
-    this->StartSums();
   }
   arrays.ConstantRadius = this->Radius < 0.0 ? 0.1 * run.Grid.SmallestEdge() : this->Radius;
   const volumeoptics::LineInput input(lines, arrays);
@@ -178,16 +206,52 @@ bool vtkAnisotropicLineVoxelizer::AddPiece(vtkInformationVector** inputs)
 }
 
 //------------------------------------------------------------------------------
-void vtkAnisotropicLineVoxelizer::Write(vtkImageData* output)
+// The types of all processes, which then have the same sets.
+bool vtkAnisotropicLineVoxelizer::ShareTypes()
 {
   Run& run = *this->Current;
+  std::vector<unsigned char> occurs(256, 0);
+  for (int type : run.Sums->GetTypes())
+  {
+    occurs[type] = 1;
+  }
+  run.Processes.Largest(occurs);
+  std::set<int> types;
+  for (int type = 0; type < 256; ++type)
+  {
+    if (occurs[type])
+    {
+      types.insert(type);
+    }
+  }
+  return this->AddTypes(types);
+}
+
+//------------------------------------------------------------------------------
+bool vtkAnisotropicLineVoxelizer::Write(bool isRight, vtkImageData* output)
+{
+  Run& run = *this->Current;
+  if (run.HasFailed)
+  {
+    return false;
+  }
+  isRight = this->ShareTypes() && isRight;
   std::vector<int> indices;
   std::vector<volumeoptics::LineTypeBricks> bricks;
-  if (run.Sums->Finish(run.Batches, 1.0, indices, bricks))
+  if (!this->AllAreRight(isRight))
+  {
+    return false;
+  }
+  const bool isDone = run.Sums->Finish(run.Batches, 1.0, run.Processes, indices, bricks);
+  if (isDone && (this->ResultOnAllProcesses || run.Processes.GetRank() == 0))
   {
     volumeoptics::WriteLineVoxels(run.Grid, this->MaximumOrder, indices, bricks, run.Lights, output);
+  }
+  if (isDone)
+  {
     this->Warn();
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -8,6 +8,7 @@
 
 #include "Batches.h"
 #include "LineAccumulator.h"
+#include "ProcessGroup.h"
 #include "vtkAnisotropicLineVoxelizer.h"
 
 #include <memory>
@@ -22,12 +23,15 @@ LineGrid MakeLineGrid(const int dimensions[3], const LineBounds& bounds);
 // What lives from the first piece to the last.
 struct vtkAnisotropicLineVoxelizer::Run
 {
-  explicit Run(vtkAlgorithm* algorithm)
-    : Batches(algorithm)
+  Run(vtkAlgorithm* algorithm, const volumeoptics::ProcessGroup& processes)
+    : Processes(processes)
+    , Batches(algorithm)
   {
   }
 
+  volumeoptics::ProcessGroup Processes;
   bool LooksForBounds = false;
+  bool HasFailed = false; // and all processes know
   int Piece = 0;
   volumeoptics::LineBounds Bounds;
   volumeoptics::LineGrid Grid;

@@ -144,6 +144,22 @@ bool HasLights(vtkImageData* image, const std::vector<LineLight>& lights)
     std::equal(values.begin(), values.end(), stored, isNear);
 }
 
+bool HoldsLineVoxels(vtkImageData* image)
+{
+  return image->GetCellData()->HasArray("BrickIndex") &&
+    Pointer<int>(image, "SampleDimensions", VTK_INT, 3) && Pointer<int>(image, "BrickDimensions", VTK_INT, 3);
+}
+
+void GetVoxelSpacing(vtkImageData* image, double spacing[3])
+{
+  image->GetSpacing(spacing);
+  const int* brick = HoldsLineVoxels(image) ? Pointer<int>(image, "BrickDimensions", VTK_INT, 3) : nullptr;
+  for (int axis = 0; brick && axis < 3; ++axis)
+  {
+    spacing[axis] /= std::max(brick[axis], 1);
+  }
+}
+
 LineVoxels::LineVoxels(vtkImageData* image, std::string& error)
 {
   error = this->ReadGrid(image);
@@ -194,6 +210,7 @@ std::string LineVoxels::ReadType(vtkImageData* image, int type)
   const vtkIdType bricks = this->NumberOfOccupiedBricks;
   set.BrickStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "BrickStarts"), VTK_TYPE_INT64, bricks + 1);
   const vtkIdType voxels = set.BrickStarts ? set.BrickStarts[bricks] : 0;
+  set.NumberOfVoxels = voxels;
   set.VoxelStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "VoxelStarts"), VTK_TYPE_INT64, voxels + 1);
   if (!set.BrickStarts || !set.VoxelStarts ||
     !std::is_sorted(set.BrickStarts, set.BrickStarts + bricks + 1) ||

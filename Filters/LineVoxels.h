@@ -34,8 +34,17 @@ struct LineCoefficients
   const vtkTypeInt64* VoxelStarts = nullptr;
   const unsigned char* Harmonics = nullptr; // l (l + 1) + m
   const float* Values = nullptr;            // [coefficient][channel]
+  vtkTypeInt64 NumberOfVoxels = 0;
   glm::dvec3 LeastColor = glm::dvec3(0.0), LargestColor = glm::dvec3(1.0);
+
+  vtkTypeInt64 GetNumberOfCoefficients() const { return this->VoxelStarts[this->NumberOfVoxels]; }
 };
+
+// Whether the cells of an image are bricks of anisotropic voxels.
+bool HoldsLineVoxels(vtkImageData* image);
+
+// Edges of the image's voxels: anisotropic ones, or else its own.
+void GetVoxelSpacing(vtkImageData* image, double spacing[3]);
 
 class LineVoxels
 {

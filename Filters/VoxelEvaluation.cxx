@@ -6,20 +6,16 @@
 #include "CylinderProjection.h"
 #include "Optics.h"
 
-#include <algorithm>
-
 namespace volumeoptics
 {
 namespace
 {
-// Truncated sums below this share of the mean hold more truncation than light.
-const double LeastShare = 0.02;
-
 // The part of degree 0 comes first: it is never dropped.
 struct Sums
 {
-  double Channels[5] = {};
-  double Degree0 = 0.0, Degree2 = 0.0; // of the depth
+  double Channels[LineChannels] = {};
+  glm::dvec4 Degree0 = glm::dvec4(0.0);
+  double Degree2 = 0.0; // of the depth
 };
 
 Sums SumVoxel(const LineCoefficients& set, vtkTypeInt64 voxel, const double* basis)
@@ -29,28 +25,17 @@ Sums SumVoxel(const LineCoefficients& set, vtkTypeInt64 voxel, const double* bas
   {
     const int harmonic = set.Harmonics[i];
     const float* values = set.Values + i * set.Channels;
-    for (int c = 0; c < set.Channels; ++c)
+    for (int c = 0; c < LineChannels; ++c)
     {
       sums.Channels[c] += values[c] * basis[harmonic];
     }
-    const double depth = values[AreaChannel] * basis[harmonic];
-    sums.Degree0 += harmonic == 0 ? depth : 0.0;
-    sums.Degree2 += harmonic >= 4 && harmonic < 9 ? depth : 0.0;
+    if (harmonic == 0)
+    {
+      sums.Degree0 = basis[0] * glm::dvec4(values[0], values[1], values[2], values[AreaChannel]);
+    }
+    sums.Degree2 += harmonic >= 4 && harmonic < 9 ? values[AreaChannel] * basis[harmonic] : 0.0;
   }
   return sums;
-}
-
-// The ratio of the sums as they are; where they are small, that of the means over all directions.
-glm::dvec3 ColorOf(const LineCoefficients& set, vtkTypeInt64 voxel, const Sums& sums)
-{
-  const double area = sums.Channels[AreaChannel];
-  glm::dvec3 color = glm::dvec3(sums.Channels[0], sums.Channels[1], sums.Channels[2]) / area;
-  if (!(area > LeastShare * sums.Degree0))
-  {
-    const float* mean = set.Values + set.VoxelStarts[voxel] * set.Channels;
-    color = glm::dvec3(mean[0], mean[1], mean[2]) / static_cast<double>(mean[AreaChannel]);
-  }
-  return glm::clamp(color, set.LeastColor, set.LargestColor);
 }
 }
 
@@ -59,20 +44,15 @@ EvaluatedVoxel EvaluateVoxel(
 {
   const Sums sums = SumVoxel(set, voxel, basis);
   EvaluatedVoxel result;
-  if (!(sums.Degree0 > 0.0) || scale.Radius * scale.Opacity <= 0.0)
+  if (!(sums.Degree0.w > 0.0) || scale.Radius * scale.Opacity <= 0.0)
   {
     return result;
   }
-  const double area = sums.Channels[AreaChannel];
-  const glm::dvec2 bounds = optics::DepthBounds(sums.Degree0, sums.Degree2);
-  const double beyond =
-    set.Channels > ProductChannel ? std::max(sums.Channels[ProductChannel] - area, 0.0) : 0.0;
-  result.Depth = (std::clamp(area, bounds.x, bounds.y) + beyond) * scale.Radius;
-  if (scale.Opacity < 1.0)
-  {
-    result.Depth = optics::OpticalDepth(scale.Opacity * optics::OneMinusExp(result.Depth));
-  }
-  result.Color = ColorOf(set, voxel, sums);
+  const double depth = sums.Channels[AreaChannel];
+  result.Depth = optics::DepthOfLines(depth, 0.0, sums.Degree0.w, sums.Degree2, scale.Radius, scale.Opacity);
+  const glm::dvec3 light(sums.Channels[0], sums.Channels[1], sums.Channels[2]);
+  result.Color = optics::ColorOfLines(
+    light, depth, glm::dvec3(sums.Degree0), sums.Degree0.w, set.LeastColor, set.LargestColor);
   return result;
 }
 }

@@ -7,6 +7,7 @@
 
 #include "Batches.h"
 #include "CovarianceField.h"
+#include "ProcessGroup.h"
 #include "RangeSearch.h"
 
 #include "vtkDataArray.h"
@@ -147,12 +148,19 @@ int vtkAmbientCovarianceFilter::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   const ImageGrid grid = this->GetGrid(inputs);
   if (this->Search->IsSearching())
   {
     const Extent slab = this->Search->GetSlab(grid.InputWhole);
-    inputs[0]->GetInformationObject(0)->Set(
-      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), slab.data(), 6);
+    vtkInformation* input = inputs[0]->GetInformationObject(0);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), slab.data(), 6);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
   if (inputs[1]->GetNumberOfInformationObjects() > 0)
   {
@@ -162,8 +170,14 @@ int vtkAmbientCovarianceFilter::RequestUpdateExtent(
       volumeoptics::CovarianceField::GetFilterReach(grid, this->FilterStandardDeviation * grid.VoxelLength);
     std::for_each(halo.begin(), halo.end(), [](int& voxels) { ++voxels; });
     extent = volumeoptics::IsEmpty(extent) ? extent : volumeoptics::Grown(extent, halo, grid.Whole);
-    inputs[1]->GetInformationObject(0)->Set(
-      vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data(), 6);
+    vtkInformation* normals = inputs[1]->GetInformationObject(0);
+    normals->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data(), 6);
+    // No fewer layers than the scalars' neighbourhood has: both inputs may come from one source, which keeps
+    // one piece.
+    normals->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      this->GetNumberOfInputPieces(outputs->GetInformationObject(0)) > 1
+        ? this->GetGhostLevels(grid, outputs->GetInformationObject(0))
+        : 0);
   }
   return 1;
 }
@@ -204,12 +218,14 @@ int vtkAmbientCovarianceFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
-  const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
-    association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
-    this->InputComponent < scalars->GetNumberOfComponents();
-  if (isUsable && !this->HasScalarRange() && !this->FindRange(inputs, scalars))
+  const volumeoptics::ProcessGroup processes = this->GetProcesses(outputs->GetInformationObject(0));
+  this->IsShared = processes.IsShared();
+  if (this->IsShared && !this->HasScalarRange())
+  {
+    this->FindScalarRange(processes, inputs, this->RangeOfProcesses);
+  }
+  vtkDataArray* scalars = this->FindScalars(inputs);
+  if (scalars && !this->IsShared && !this->HasScalarRange() && !this->FindRange(inputs, scalars))
   {
     // Once more, for the next slab or, with the range known, for the piece.
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
@@ -229,7 +245,7 @@ bool vtkAmbientCovarianceFilter::ComputeCodes(const ImageGrid& grid, const volum
     Extent whole;
     inputs[1]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole.data());
     vtkDataArray* array = FindNormals(image);
-    if (!array || whole != grid.Whole)
+    if (!array || whole != this->GetGrid(inputs).Whole)
     {
       vtkErrorMacro(
         << "The second input "
@@ -239,9 +255,18 @@ bool vtkAmbientCovarianceFilter::ComputeCodes(const ImageGrid& grid, const volum
       return false;
     }
     normals = std::make_unique<volumeoptics::NormalSource>(image, array);
+    const volumeoptics::Halo halo =
+      volumeoptics::CovarianceField::GetFilterReach(grid, this->FilterStandardDeviation * grid.VoxelLength);
+    if (!volumeoptics::Contains(normals->GetBox(), volumeoptics::Grown(codes.GetBox(), halo, grid.Whole)))
+    {
+      vtkErrorMacro("The normals of the second input do not reach as far as was requested of them. Give it "
+                    "the output of vtkSobelNormalFilter, or none.");
+      return false;
+    }
   }
   const double unit = grid.VoxelLength;
-  const double* range = this->HasScalarRange() ? this->ScalarRange : this->Search->GetRange();
+  const double* found = this->IsShared ? this->RangeOfProcesses : this->Search->GetRange();
+  const double* range = this->HasScalarRange() ? this->ScalarRange : found;
   const volumeoptics::CovarianceFieldSettings settings = {
     { this->Radius * unit, this->ScalarTolerance, this->NumberOfSamples,
       static_cast<volumeoptics::Sampling>(this->SamplingPattern), this->SampleInterpolation == Linear,

@@ -70,7 +70,8 @@ public:
    * finite values of the input's whole extent, so that pieces agree. If the input holds the whole
    * extent they are found there; else the filter asks the input once for slabs of the whole extent,
    * none larger than what the piece itself needs, and remembers the range until the input changes.
-   * Setting the range saves that pass.
+   * Setting the range saves that pass. Processes that share the volume (SetController()) each look at
+   * their own piece.
    */
   void SetScalarRange(double least, double largest);
   void SetScalarRange(const double range[2]) { this->SetScalarRange(range[0], range[1]); }
@@ -182,6 +183,8 @@ private:
   int Seed = 1;
 
   std::unique_ptr<volumeoptics::RangeSearch> Search;
+  double RangeOfProcesses[2] = { 1.0, 0.0 };
+  bool IsShared = false; // in this update
 
   vtkAmbientCovarianceFilter(const vtkAmbientCovarianceFilter&) = delete;
   void operator=(const vtkAmbientCovarianceFilter&) = delete;

@@ -12,6 +12,7 @@
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -28,8 +29,29 @@ const char* const ProjectionNames[] = { "Analytic", "Sampled" };
 }
 
 //------------------------------------------------------------------------------
-vtkAnisotropicLineVoxelizer::vtkAnisotropicLineVoxelizer() = default;
+vtkAnisotropicLineVoxelizer::vtkAnisotropicLineVoxelizer()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+//------------------------------------------------------------------------------
 vtkAnisotropicLineVoxelizer::~vtkAnisotropicLineVoxelizer() = default;
+
+//------------------------------------------------------------------------------
+void vtkAnisotropicLineVoxelizer::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkAnisotropicLineVoxelizer::GetController() const
+{
+  return this->Controller;
+}
 
 //------------------------------------------------------------------------------
 void vtkAnisotropicLineVoxelizer::SetSampleDimensions(int x, int y, int z)
@@ -209,12 +231,15 @@ int vtkAnisotropicLineVoxelizer::RequestInformation(
 
 //------------------------------------------------------------------------------
 int vtkAnisotropicLineVoxelizer::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkInformation* input = inputs[0]->GetInformationObject(0);
+  const volumeoptics::ProcessGroup processes(this->Controller, this, outputs->GetInformationObject(0));
+  const int piece = this->Current ? this->Current->Piece : 0;
+  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(),
+    processes.GetRank() * this->NumberOfPieces + piece);
   input->Set(
-    vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), this->Current ? this->Current->Piece : 0);
-  input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), this->NumberOfPieces);
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), processes.GetSize() * this->NumberOfPieces);
   input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   return 1;
 }
@@ -227,15 +252,14 @@ int vtkAnisotropicLineVoxelizer::RequestData(
   output->Initialize();
   if (!this->Current)
   {
-    this->StartRun(inputs[0]->GetInformationObject(0));
+    this->StartRun(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(0));
   }
   Run& run = *this->Current;
-  const bool lookedForBounds = run.LooksForBounds && this->NumberOfPieces > 1;
   bool isRight = this->AddPiece(inputs) && !this->AbortExecute;
   ++run.Piece;
-  if (isRight && lookedForBounds && run.Piece == this->NumberOfPieces)
+  if (run.LooksForBounds && !run.HasFailed && (!isRight || run.Piece == this->NumberOfPieces))
   {
-    this->StartSums();
+    isRight = this->AgreeOnBounds(isRight);
     run.Piece = 0;
   }
   if (isRight && run.Piece < this->NumberOfPieces)
@@ -244,10 +268,7 @@ int vtkAnisotropicLineVoxelizer::RequestData(
     return 1;
   }
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  if (isRight)
-  {
-    this->Write(output);
-  }
+  isRight = this->Write(isRight, output);
   this->Current.reset();
   return isRight || this->AbortExecute;
 }
@@ -280,6 +301,8 @@ void vtkAnisotropicLineVoxelizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "ExactProduct: " << this->ExactProduct << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
+  os << indent << "ResultOnAllProcesses: " << this->ResultOnAllProcesses << "\n";
   for (const auto& material : this->Materials)
   {
     os << indent << "Material of type " << material.first << ": " << material.second.Get() << "\n";

@@ -33,6 +33,10 @@
  * are set or the source names its bounds (vtkDataObject::BOUNDING_BOX()); otherwise a first pass
  * finds the bounds.
  *
+ * Processes that share the lines (SetController()) each voxelize their own piece in one common box; the sums
+ * of all are added up, and every process has the voxels of the whole, to the rounding of float those of one
+ * process. A process may have no lines.
+ *
  * Limits: the order of segments within a voxel is lost; lights are directional and do not reach other
  * lines' shadows; they are baked in.
  */
@@ -50,6 +54,7 @@
 #include <string> // for names of arrays
 
 class vtkLightCollection;
+class vtkMultiProcessController;
 class vtkPolyData;
 class vtkProperty;
 class vtkScalarsToColors;
@@ -210,10 +215,11 @@ public:
 
   ///@{
   /**
-   * Keeps also the depth of [Schussman2004] eq. 7, 1 - prod(1 - q), in a fifth channel. Off, the
-   * default, the opacity is 1 - exp(-sum q), its limit for thin lines; q, the share of the voxel's
-   * mean cross section that a segment covers, is then how far they are apart at most. With it, scaling the
-   * radius is no longer exact. q ends at 0.95.
+   * On, the default, the opacity of a voxel is that of [Schussman2004] eq. 7, 1 - prod(1 - q): a segment
+   * counts -ln(1 - q) where q is the share of the voxel's mean cross section that it covers, at most 1.
+   * The ratio of the two is taken in the mean over all directions (at q = 0.25 it is 2 % more from
+   * the side, and less towards the ends). Off, a segment counts q: 1 - exp(-sum q), the limit for thin
+   * lines, too transparent by the factor q/2, but what RadiusScale then scales exactly.
    */
   vtkSetMacro(ExactProduct, bool);
   vtkGetMacro(ExactProduct, bool);
@@ -222,10 +228,31 @@ public:
 
   ///@{
   /**
-   * Pieces that the source is asked for, one after the other; at least 1, the default.
+   * Pieces that the source is asked for, one after the other; at least 1, the default. Each of the
+   * processes that share the lines asks for so many.
    */
   void SetNumberOfPieces(int pieces);
   vtkGetMacro(NumberOfPieces, int);
+  ///@}
+
+  ///@{
+  /**
+   * The processes that share the lines, each with the piece of its own number of as many pieces. All of
+   * them must update the filter then, as with any parallel filter of VTK. Blocks of composite data stand alone.
+   * Default: the global controller at the filter's construction, none in programs of one process.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether every process that shares the lines has the result, or the first one alone, the others an empty
+   * output: for programs that put together what all processes have, such as ParaView. Default on.
+   */
+  vtkSetMacro(ResultOnAllProcesses, bool);
+  vtkGetMacro(ResultOnAllProcesses, bool);
+  vtkBooleanMacro(ResultOnAllProcesses, bool);
   ///@}
 
   vtkMTimeType GetMTime() override;
@@ -245,13 +272,16 @@ private:
 
   struct Run;
   void SetName(std::string& array, const char* name);
-  void StartRun(vtkInformation* input);
+  void StartRun(vtkInformation* input, vtkInformation* output);
+  bool AgreeOnBounds(bool isRight);
+  bool AllAreRight(bool isRight);
+  bool ShareTypes();
   bool AddPiece(vtkInformationVector** inputs);
   bool AddBounds(vtkPolyData* lines);
   double ProgressAfterPiece(double afterAll) const;
   bool AddTypes(const std::set<int>& types);
   void StartSums();
-  void Write(vtkImageData* output);
+  bool Write(bool isRight, vtkImageData* output);
   void Warn();
 
   int SampleDimensions[3] = { 128, 128, 128 };
@@ -268,8 +298,10 @@ private:
   double CoefficientTolerance = 1.0e-5;
   int Projection = Analytic;
   int NumberOfDirections = 512;
-  bool ExactProduct = false;
+  bool ExactProduct = true;
   int NumberOfPieces = 1;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool ResultOnAllProcesses = true;
   std::unique_ptr<Run> Current; // between the pieces
 };
 

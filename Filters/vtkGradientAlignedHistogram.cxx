@@ -5,8 +5,9 @@
 
 #include "Batches.h"
 #include "GradientAlignedSampler.h"
+#include "OwnedExtent.h"
 #include "ParameterRange.h"
-#include "RangeSearch.h"
+#include "ProcessGroup.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -62,19 +63,37 @@ struct Counts
   std::vector<vtkIdType> Gradients;
 };
 
-// Which points belong to another piece.
+// Which points belong to another piece: ghosts, and those in the extent of a process of lower number, because
+// neighbours share the points between them. Without other processes the marked ones.
 class Owners
 {
 public:
-  Owners(vtkImageData* image, double factor)
+  Owners(vtkImageData* image, const ImageGrid& grid, const std::vector<Extent>& pieces, int piece)
     : Image(image)
-    , Ghosts(image->GetPointGhostArray())
-    , Factor(factor)
+    , Ghosts(pieces.size() > 1 ? nullptr : image->GetPointGhostArray())
+    , Factor(grid.Factor)
   {
+    this->Own = pieces.size() > 1 ? volumeoptics::OutputExtent(grid, pieces[piece]) : grid.Whole;
+    for (int other = 0; other < piece; ++other)
+    {
+      const Extent extent = volumeoptics::OutputExtent(grid, pieces[other]);
+      if (!volumeoptics::IsEmpty(pieces[other]) &&
+        !volumeoptics::IsEmpty(volumeoptics::Intersection(this->Own, extent)))
+      {
+        this->Others.push_back(extent);
+      }
+    }
   }
 
   bool IsForeign(int x, int y, int z) const
   {
+    const auto contains = [=](const Extent& extent) {
+      return volumeoptics::Contains(extent, { x, x, y, y, z, z });
+    };
+    if (!contains(this->Own) || std::any_of(this->Others.begin(), this->Others.end(), contains))
+    {
+      return true;
+    }
     if (!this->Ghosts)
     {
       return false;
@@ -95,6 +114,8 @@ private:
   vtkImageData* Image;
   vtkUnsignedCharArray* Ghosts;
   double Factor;
+  Extent Own;
+  std::vector<Extent> Others;
 };
 
 void CountTile(const Extent& tile, volumeoptics::GradientAlignedSampler& sampler, const Axis& scalars,
@@ -121,7 +142,7 @@ void CountTile(const Extent& tile, volumeoptics::GradientAlignedSampler& sampler
   }
 }
 
-void Store(const std::vector<vtkIdType>& counts, const Axis& x, const Axis& y, vtkImageData* image)
+void StoreImage(const std::vector<vtkIdType>& counts, const Axis& x, const Axis& y, vtkImageData* image)
 {
   const double axes[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   image->Initialize();
@@ -137,11 +158,23 @@ void Store(const std::vector<vtkIdType>& counts, const Axis& x, const Axis& y, v
 }
 }
 
+// What lives while an update of all processes lasts.
+struct vtkGradientAlignedHistogram::Run
+{
+  int Process;
+  std::vector<Extent> Pieces; // of each process, its own points
+  Axis Scalars, Gradients;
+  Counts Sums;
+};
+
 //------------------------------------------------------------------------------
 vtkGradientAlignedHistogram::vtkGradientAlignedHistogram()
 {
   this->SetNumberOfOutputPorts(2);
 }
+
+//------------------------------------------------------------------------------
+vtkGradientAlignedHistogram::~vtkGradientAlignedHistogram() = default;
 
 //------------------------------------------------------------------------------
 void vtkGradientAlignedHistogram::SetNumberOfBins(int number)
@@ -165,7 +198,7 @@ void vtkGradientAlignedHistogram::SetStepLength(double length)
 int vtkGradientAlignedHistogram::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (!this->HasExtent(inputs))
+  if (!IsComposite(inputs) && !this->HasExtent(inputs))
   {
     return 0;
   }
@@ -180,11 +213,55 @@ int vtkGradientAlignedHistogram::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+int vtkGradientAlignedHistogram::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
+  // All of it, for the range: a coarser grid may end before.
+  inputs[0]->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), this->GetGrid(inputs).InputWhole.data(), 6);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkGradientAlignedHistogram::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData::GetData(outputs, 1)->Initialize();
-  return this->Superclass::RequestData(request, inputs, outputs);
+  const volumeoptics::ProcessGroup processes = this->GetProcesses(outputs->GetInformationObject(0));
+  if (!processes.Any(!volumeoptics::IsEmpty(this->GetGrid(inputs).Whole)))
+  {
+    return this->Superclass::RequestData(request, inputs, outputs);
+  }
+  vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  const Extent nothing = { 0, -1, 0, -1, 0, -1 };
+  this->Current = std::make_unique<Run>();
+  this->Current->Process = processes.GetRank();
+  this->Current->Pieces =
+    processes.Gather(input && processes.IsShared() ? volumeoptics::OwnedExtent(input) : nothing);
+  const bool hasRange = this->FindRange(processes, inputs, *this->Current);
+  const bool isRight = hasRange && this->Superclass::RequestData(request, inputs, outputs) != 0;
+  const bool isJoined = this->Join(processes, isRight && !this->AbortExecute);
+  if (isJoined && (this->ResultOnAllProcesses || processes.GetRank() == 0))
+  {
+    this->Store(outputs);
+  }
+  else
+  {
+    vtkImageData::GetData(outputs)->Initialize();
+  }
+  this->Current.reset();
+  return isRight || this->AbortExecute;
+}
+
+//------------------------------------------------------------------------------
+int vtkGradientAlignedHistogram::GetNumberOfInputPieces(vtkInformation* output)
+{
+  return this->GetProcesses(output).GetSize();
 }
 
 //------------------------------------------------------------------------------
@@ -202,37 +279,13 @@ void vtkGradientAlignedHistogram::GetExtentToCompute(const ImageGrid& grid, vtkI
 }
 
 //------------------------------------------------------------------------------
+// Of all processes; false on abort.
 bool vtkGradientAlignedHistogram::FindRange(
-  const volumeoptics::ImageRows& rows, volumeoptics::Batches& batches, double range[2]) const
+  const volumeoptics::ProcessGroup& processes, vtkInformationVector** inputs, Run& run)
 {
-  std::copy(this->ScalarRange, this->ScalarRange + 2, range);
-  if (!(range[0] <= range[1]))
-  {
-    volumeoptics::RangeSearch search;
-    search.Start(rows.GetBox(), rows.GetBox());
-    if (!search.Add(batches, rows))
-    {
-      return false;
-    }
-    std::copy(search.GetRange(), search.GetRange() + 2, range);
-  }
-  const double width = range[1] / this->NumberOfBins - range[0] / this->NumberOfBins;
-  if (range[0] <= range[1] && width < std::numeric_limits<double>::min())
-  {
-    // half a unit, or more where that is below the value's precision
-    const double half = std::max(0.5, std::abs(range[0]) * 1.0e-6);
-    range[0] -= half;
-    range[1] += half;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkGradientAlignedHistogram::ComputeArrays(const ImageGrid& grid, const volumeoptics::ImageRows& rows,
-  vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output)
-{
-  double range[2];
-  if (!this->FindRange(rows, batches, range))
+  double range[2] = { this->ScalarRange[0], this->ScalarRange[1] };
+  const bool isSet = range[0] <= range[1];
+  if (!isSet && !this->FindScalarRange(processes, inputs, range))
   {
     return false;
   }
@@ -241,34 +294,74 @@ bool vtkGradientAlignedHistogram::ComputeArrays(const ImageGrid& grid, const vol
     range[0] = 0.0;
     range[1] = 1.0;
   }
-  const Axis scalars = { range[0], range[1], this->NumberOfBins };
-  const double steepest = (range[1] / 2.0 - range[0] / 2.0) / grid.VoxelLength;
-  const Axis gradients = { 0.0, steepest, this->NumberOfBins };
-  const Owners owners(vtkImageData::GetData(inputs[0]), grid.Factor);
+  if (range[1] / this->NumberOfBins - range[0] / this->NumberOfBins < std::numeric_limits<double>::min())
+  {
+    // half a unit, or more where that is below the value's precision
+    const double half = std::max(0.5, std::abs(range[0]) * 1.0e-6);
+    range[0] -= half;
+    range[1] += half;
+  }
+  const ImageGrid grid = this->GetGrid(inputs);
+  double finest = volumeoptics::IsEmpty(grid.Whole) ? VTK_DOUBLE_MAX : grid.VoxelLength;
+  processes.Least(&finest, 1);
+  const double steepest = (range[1] / 2.0 - range[0] / 2.0) / finest;
+  run.Scalars = { range[0], range[1], this->NumberOfBins };
+  run.Gradients = { 0.0, steepest, this->NumberOfBins };
+  run.Sums.Pairs.resize(static_cast<std::size_t>(this->NumberOfBins) * this->NumberOfBins);
+  run.Sums.Gradients.resize(run.Sums.Pairs.size());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGradientAlignedHistogram::ComputeArrays(const ImageGrid& grid, const volumeoptics::ImageRows& rows,
+  vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output)
+{
+  Run& run = *this->Current;
+  const Owners owners(vtkImageData::GetData(inputs[0]), grid, run.Pieces, run.Process);
   const volumeoptics::ScalarSource source(grid, rows, this->Smoothing * grid.VoxelLength);
-  const auto tiles = volumeoptics::SplitIntoTiles(grid.Whole, LargestTile, VoxelsOfTile);
-  Counts counts;
-  counts.Pairs.resize(static_cast<std::size_t>(this->NumberOfBins) * this->NumberOfBins);
-  counts.Gradients.resize(counts.Pairs.size());
-  vtkSMPThreadLocal<Counts> partial(counts);
+  Extent extent;
+  output->GetExtent(extent.data());
+  const auto tiles = volumeoptics::SplitIntoTiles(extent, LargestTile, VoxelsOfTile);
+  vtkSMPThreadLocal<Counts> partial(run.Sums);
   const bool isComplete = batches.Run(tiles.size(), 1.0, [&](long long unit) {
     volumeoptics::GradientAlignedSampler sampler(
       grid, source, tiles[unit], this->StepLength * grid.VoxelLength);
-    CountTile(tiles[unit], sampler, scalars, gradients, owners, partial.Local());
+    CountTile(tiles[unit], sampler, run.Scalars, run.Gradients, owners, partial.Local());
   });
   for (const Counts& part : partial)
   {
-    const auto add = std::plus<>();
-    std::transform(part.Pairs.begin(), part.Pairs.end(), counts.Pairs.begin(), counts.Pairs.begin(), add);
-    std::transform(
-      part.Gradients.begin(), part.Gradients.end(), counts.Gradients.begin(), counts.Gradients.begin(), add);
-  }
-  if (isComplete)
-  {
-    Store(counts.Pairs, scalars, scalars, output);
-    Store(counts.Gradients, scalars, gradients, vtkImageData::SafeDownCast(this->GetOutputDataObject(1)));
+    const auto add = [](const std::vector<vtkIdType>& from, std::vector<vtkIdType>& to) {
+      std::transform(from.begin(), from.end(), to.begin(), to.begin(), std::plus<>());
+    };
+    add(part.Pairs, run.Sums.Pairs);
+    add(part.Gradients, run.Sums.Gradients);
   }
   return isComplete;
+}
+
+//------------------------------------------------------------------------------
+// Adds up what the processes have counted. False if one of them has failed.
+bool vtkGradientAlignedHistogram::Join(const volumeoptics::ProcessGroup& processes, bool isRight)
+{
+  if (!processes.All(isRight))
+  {
+    if (isRight)
+    {
+      vtkErrorMacro("Another process has no histogram of its piece. Look at its messages.");
+    }
+    return false;
+  }
+  processes.Sum(this->Current->Sums.Pairs);
+  processes.Sum(this->Current->Sums.Gradients);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGradientAlignedHistogram::Store(vtkInformationVector* outputs)
+{
+  const Run& run = *this->Current;
+  StoreImage(run.Sums.Pairs, run.Scalars, run.Scalars, vtkImageData::GetData(outputs, 0));
+  StoreImage(run.Sums.Gradients, run.Scalars, run.Gradients, vtkImageData::GetData(outputs, 1));
 }
 
 //------------------------------------------------------------------------------
@@ -278,4 +371,5 @@ void vtkGradientAlignedHistogram::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
   os << indent << "ScalarRange: " << this->ScalarRange[0] << ", " << this->ScalarRange[1] << "\n";
   os << indent << "StepLength: " << this->StepLength << "\n";
+  os << indent << "ResultOnAllProcesses: " << this->ResultOnAllProcesses << "\n";
 }

@@ -17,10 +17,11 @@
  *
  * Left out: blanked points, NaN and infinities, voxels one of whose two samples is next to them, points
  * that another piece owns (DUPLICATEPOINT), and voxels with one of the scalars outside ScalarRange.
- * The filter works on the input's whole extent. Histograms are sums: those of pieces with at least
+ * The filter works on the input's whole extent. Processes that share the volume (SetController()) each
+ * count their own piece, and all have the histogram of the whole. Histograms are sums: those of pieces with at least
  * StepLength + 1 ghost voxels, with the same ScalarRange set, add up to the whole's.
  *
- * Of the superclass's parameters OutputPrecision does not matter.
+ * Of the superclass's parameters OutputPrecision and PassInputArrays do not matter.
  *
  * @sa vtkLightingTransferFunction vtkLightingTransferFunctionItem
  */
@@ -30,6 +31,8 @@
 
 #include "vtkOpticsImageFilter.h"
 #include "vtkVolumeOpticsModule.h" // for export macro
+
+#include <memory> // for the counts
 
 class VTKVOLUMEOPTICS_EXPORT vtkGradientAlignedHistogram : public vtkOpticsImageFilter
 {
@@ -67,27 +70,45 @@ public:
   vtkGetMacro(StepLength, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether every process that shares the volume has the result, or the first one alone, the others an empty
+   * output: for programs that put together what all processes have, such as ParaView. Default on.
+   */
+  vtkSetMacro(ResultOnAllProcesses, bool);
+  vtkGetMacro(ResultOnAllProcesses, bool);
+  vtkBooleanMacro(ResultOnAllProcesses, bool);
+  ///@}
+
 protected:
   vtkGradientAlignedHistogram();
-  ~vtkGradientAlignedHistogram() override = default;
+  ~vtkGradientAlignedHistogram() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int GetNumberOfInputPieces(vtkInformation* output) override;
   void GetReach(const volumeoptics::ImageGrid& grid, int reach[3]) override;
   void GetExtentToCompute(
     const volumeoptics::ImageGrid& grid, vtkInformation* output, int extent[6]) override;
   bool ComputeArrays(const volumeoptics::ImageGrid& grid, const volumeoptics::ImageRows& rows,
     vtkInformationVector** inputs, volumeoptics::Batches& batches, vtkImageData* output) override;
+  bool IsOnInputGrid() const override { return false; }
 
 private:
   vtkGradientAlignedHistogram(const vtkGradientAlignedHistogram&) = delete;
   void operator=(const vtkGradientAlignedHistogram&) = delete;
 
-  bool FindRange(const volumeoptics::ImageRows& rows, volumeoptics::Batches& batches, double range[2]) const;
+  struct Run;
+  bool FindRange(const volumeoptics::ProcessGroup& processes, vtkInformationVector** inputs, Run& run);
+  bool Join(const volumeoptics::ProcessGroup& processes, bool isRight);
+  void Store(vtkInformationVector* outputs);
 
   int NumberOfBins = 256;
   double ScalarRange[2] = { 1.0, 0.0 };
   double StepLength = 1.0;
+  bool ResultOnAllProcesses = true;
+  std::unique_ptr<Run> Current; // in an update
 };
 
 #endif

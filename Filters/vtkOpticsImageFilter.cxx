@@ -7,29 +7,44 @@
 
 #include "Batches.h"
 #include "GaussianFilter.h"
+#include "OwnedExtent.h"
+#include "ProcessGroup.h"
+#include "RangeSearch.h"
 #include "ScalarSource.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 using volumeoptics::Extent;
 using volumeoptics::ImageGrid;
+using SDDP = vtkStreamingDemandDrivenPipeline;
+
+// What is computed of the volume at once.
+struct vtkOpticsImageFilter::Part
+{
+  ImageGrid Grid; // the whole, or as much of it as the input has
+  Extent Computed;
+  Extent Owned; // without ghost layers
+};
 
 namespace
 {
 void SetGeometry(const ImageGrid& grid, vtkInformation* input, vtkInformation* output)
 {
-  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), grid.Whole.data(), 6);
+  output->Set(SDDP::WHOLE_EXTENT(), grid.Whole.data(), 6);
   output->Set(vtkDataObject::SPACING(), &grid.Spacing.x, 3);
   if (input->Has(vtkDataObject::ORIGIN()))
   {
@@ -40,6 +55,53 @@ void SetGeometry(const ImageGrid& grid, vtkInformation* input, vtkInformation* o
     output->CopyEntry(input, vtkDataObject::DIRECTION());
   }
 }
+
+// Those of the same grid, cut out of what the filter needed around them.
+void PassArrays(vtkImageData* input, vtkImageData* output)
+{
+  vtkNew<vtkImageData> part;
+  part->ShallowCopy(input);
+  part->Crop(output->GetExtent());
+  vtkPointData* arrays = part->GetPointData();
+  for (int array = 0; array < arrays->GetNumberOfArrays(); ++array)
+  {
+    const std::string name = arrays->GetArrayName(array) ? arrays->GetArrayName(array) : "";
+    const bool isNew = !name.empty() && !output->GetPointData()->HasArray(name.c_str());
+    if (isNew && name != vtkDataSetAttributes::GhostArrayName())
+    {
+      output->GetPointData()->AddArray(arrays->GetAbstractArray(array));
+    }
+  }
+  if (arrays->GetScalars() && arrays->GetScalars()->GetName())
+  {
+    output->GetPointData()->SetActiveScalars(arrays->GetScalars()->GetName());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsImageFilter::vtkOpticsImageFilter()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsImageFilter::~vtkOpticsImageFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkOpticsImageFilter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMultiProcessController* vtkOpticsImageFilter::GetController() const
+{
+  return this->Controller;
 }
 
 //------------------------------------------------------------------------------
@@ -73,10 +135,15 @@ ImageGrid vtkOpticsImageFilter::GetGrid(vtkInformationVector** inputs)
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsImageFilter::IsComposite(vtkInformationVector** inputs)
+{
+  return vtkCompositeDataSet::GetData(inputs[0]) != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
 {
-  const bool hasExtent =
-    inputs[0]->GetInformationObject(0)->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()) != 0;
+  const bool hasExtent = inputs[0]->GetInformationObject(0)->Has(SDDP::WHOLE_EXTENT()) != 0;
   if (!hasExtent)
   {
     vtkErrorMacro("The input has no extent. Connect an image (vtkImageData).");
@@ -88,6 +155,10 @@ bool vtkOpticsImageFilter::HasExtent(vtkInformationVector** inputs)
 int vtkOpticsImageFilter::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   if (!this->HasExtent(inputs))
   {
     return 0;
@@ -99,7 +170,19 @@ int vtkOpticsImageFilter::RequestInformation(
 //------------------------------------------------------------------------------
 void vtkOpticsImageFilter::GetExtentToCompute(const ImageGrid&, vtkInformation* output, int extent[6])
 {
-  output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
+  output->Get(SDDP::UPDATE_EXTENT(), extent);
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::GetNumberOfInputPieces(vtkInformation* output)
+{
+  return volumeoptics::NumberOfPieces(output);
+}
+
+//------------------------------------------------------------------------------
+volumeoptics::ProcessGroup vtkOpticsImageFilter::GetProcesses(vtkInformation* output)
+{
+  return volumeoptics::ProcessGroup(this->Controller, this, output);
 }
 
 //------------------------------------------------------------------------------
@@ -123,23 +206,72 @@ void vtkOpticsImageFilter::GetNeededExtent(const ImageGrid& grid, const int outp
 }
 
 //------------------------------------------------------------------------------
+// Layers of the input around a piece: those of the output, the reach, and, where the output is coarser,
+// the way to the output's next voxel.
+int vtkOpticsImageFilter::GetGhostLevels(const ImageGrid& grid, vtkInformation* output)
+{
+  volumeoptics::Halo reach;
+  this->GetReach(grid, reach.data());
+  int layers = *std::max_element(reach.begin(), reach.end());
+  if (this->Smoothing > 0.0)
+  {
+    const volumeoptics::GaussianFilter gaussian(grid, this->Smoothing * grid.VoxelLength);
+    const volumeoptics::Halo halo = gaussian.GetHalo();
+    layers += *std::max_element(halo.begin(), halo.end());
+  }
+  layers += output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + (grid.Factor < 1.0 ? 2 : 0);
+  return static_cast<int>(std::ceil(layers / grid.Factor));
+}
+
+//------------------------------------------------------------------------------
 int vtkOpticsImageFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (IsComposite(inputs))
+  {
+    return 1;
+  }
   const ImageGrid grid = this->GetGrid(inputs);
   int extent[6];
   this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent);
   int input[6];
   this->GetNeededExtent(grid, extent, input);
-  inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), input, 6);
+  vtkInformation* request = inputs[0]->GetInformationObject(0);
+  request->Set(SDDP::UPDATE_EXTENT(), input, 6);
+  if (this->GetNumberOfInputPieces(outputs->GetInformationObject(0)) > 1)
+  {
+    request->Set(
+      SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), this->GetGhostLevels(grid, outputs->GetInformationObject(0)));
+  }
+  else
+  {
+    request->Set(SDDP::UPDATE_PIECE_NUMBER(), 0);
+    request->Set(SDDP::UPDATE_NUMBER_OF_PIECES(), 1);
+    request->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkOpticsImageFilter::GetChosenArray(vtkInformationVector** inputs, int& association)
+{
+  association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  vtkImageData* input = vtkImageData::GetData(inputs[0]);
+  if (!scalars && input && name && !*name)
+  {
+    association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    scalars = input->GetPointData()->GetScalars();
+  }
+  return scalars;
 }
 
 //------------------------------------------------------------------------------
 vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 {
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);
+  int association;
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
   if (!scalars || scalars->GetNumberOfTuples() == 0)
   {
     vtkErrorMacro("The input has no scalars to work on. Give it point scalars, or name an array by "
@@ -164,6 +296,73 @@ vtkDataArray* vtkOpticsImageFilter::GetScalars(vtkInformationVector** inputs)
 }
 
 //------------------------------------------------------------------------------
+vtkDataArray* vtkOpticsImageFilter::FindScalars(vtkInformationVector** inputs)
+{
+  int association;
+  vtkDataArray* scalars = this->GetChosenArray(inputs, association);
+  const bool isUsable = scalars && scalars->GetNumberOfTuples() > 0 &&
+    association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+    this->InputComponent < scalars->GetNumberOfComponents();
+  return isUsable ? scalars : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpticsImageFilter::FindScalarRange(
+  const volumeoptics::ProcessGroup& processes, vtkInformationVector** inputs, double range[2])
+{
+  volumeoptics::RangeSearch search;
+  bool isComplete = true;
+  if (vtkDataArray* scalars = this->FindScalars(inputs))
+  {
+    const volumeoptics::ImageRows rows(vtkImageData::GetData(inputs[0]), scalars, this->InputComponent);
+    search.Start(rows.GetBox(), rows.GetBox());
+    volumeoptics::Batches batches(this);
+    isComplete = search.Add(batches, rows);
+  }
+  std::copy(search.GetRange(), search.GetRange() + 2, range);
+  processes.Unite(range);
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+vtkOpticsImageFilter::Part vtkOpticsImageFilter::GetPart(
+  const ImageGrid& whole, vtkInformation* output, vtkImageData* input)
+{
+  Part part = { whole, {}, {} };
+  this->GetExtentToCompute(whole, output, part.Computed.data());
+  part.Owned = part.Computed;
+  if (this->GetNumberOfInputPieces(output) < 2 || volumeoptics::IsEmpty(part.Computed))
+  {
+    return part;
+  }
+  const Extent requested = part.Computed;
+  const Extent owned = volumeoptics::OwnedExtent(input);
+  part.Owned = part.Computed = volumeoptics::IsEmpty(owned)
+    ? owned
+    : volumeoptics::Intersection(volumeoptics::OutputExtent(whole, owned), requested);
+  if (volumeoptics::IsEmpty(part.Owned))
+  {
+    return part;
+  }
+  const int ghosts = output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  part.Computed = volumeoptics::Grown(part.Owned, { ghosts, ghosts, ghosts }, requested);
+  Extent needed, box;
+  this->GetNeededExtent(whole, part.Computed.data(), needed.data());
+  input->GetExtent(box.data());
+  if (!volumeoptics::Contains(box, needed))
+  {
+    vtkWarningMacro("The input's piece has fewer ghost layers than the "
+      << this->GetGhostLevels(whole, output)
+      << " that are needed: at the borders between pieces the result differs from that of the whole. Put "
+         "vtkGhostCellsGenerator with that many layers before this filter.");
+    part.Grid = volumeoptics::ClippedGrid(whole, box);
+    part.Owned = volumeoptics::Intersection(part.Owned, part.Grid.Whole);
+    part.Computed = volumeoptics::Intersection(part.Computed, part.Grid.Whole);
+  }
+  return part;
+}
+
+//------------------------------------------------------------------------------
 float* vtkOpticsImageFilter::AddArray(vtkImageData* output, const char* name, int components)
 {
   vtkNew<vtkFloatArray> array;
@@ -181,10 +380,12 @@ int vtkOpticsImageFilter::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputs);
   output->Initialize();
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
-  const ImageGrid grid = this->GetGrid(inputs);
-  Extent extent;
-  this->GetExtentToCompute(grid, outputs->GetInformationObject(0), extent.data());
-  if (!input || volumeoptics::IsEmpty(extent))
+  if (!input)
+  {
+    return 1;
+  }
+  Part part = this->GetPart(this->GetGrid(inputs), outputs->GetInformationObject(0), input);
+  if (volumeoptics::IsEmpty(part.Computed))
   {
     return 1;
   }
@@ -193,8 +394,9 @@ int vtkOpticsImageFilter::RequestData(
   {
     return 0;
   }
+  const ImageGrid& grid = part.Grid;
   Extent needed;
-  this->GetNeededExtent(grid, extent.data(), needed.data());
+  this->GetNeededExtent(grid, part.Computed.data(), needed.data());
   const volumeoptics::ImageRows rows(input, scalars, this->InputComponent);
   if (!volumeoptics::Contains(rows.GetBox(), needed))
   {
@@ -202,7 +404,7 @@ int vtkOpticsImageFilter::RequestData(
                   "filter before it.");
     return 0;
   }
-  output->SetExtent(extent.data());
+  output->SetExtent(part.Computed.data());
   output->SetSpacing(&grid.Spacing.x);
   output->SetOrigin(input->GetOrigin());
   output->SetDirectionMatrix(input->GetDirectionMatrix());
@@ -212,6 +414,14 @@ int vtkOpticsImageFilter::RequestData(
     output->Initialize();
     return this->AbortExecute;
   }
+  if (this->GetNumberOfInputPieces(outputs->GetInformationObject(0)) > 1)
+  {
+    output->GenerateGhostArray(part.Owned.data());
+  }
+  if (this->PassInputArrays && this->IsOnInputGrid())
+  {
+    PassArrays(input, output);
+  }
   return 1;
 }
 
@@ -219,8 +429,10 @@ int vtkOpticsImageFilter::RequestData(
 void vtkOpticsImageFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
   os << indent << "ResolutionFactor: " << this->ResolutionFactor << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "InputComponent: " << this->InputComponent << "\n";
   os << indent << "OutputPrecision: " << this->OutputPrecision << "\n";
+  os << indent << "PassInputArrays: " << (this->PassInputArrays ? "on" : "off") << "\n";
 }

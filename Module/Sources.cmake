@@ -27,7 +27,8 @@ set(rendering_classes
   vtkOpticsPreset
   vtkOpticsVolumeMapper
   vtkOpticsVolumeProperty
-  vtkPreIntegratedTable)
+  vtkPreIntegratedTable
+  vtkVisibilitySweep)
 
 # C++ files that are not part of the public interface.
 set(filter_sources
@@ -42,17 +43,22 @@ set(filter_sources
   HarmonicBasis
   ImageGrid
   LineAccumulator
+  LineExchange
   LineInput
+  LineKernel
   LineLighting
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
+  OwnedExtent
   PrincipalCurvature
+  ProcessGroup
   RangeSearch
   SamplePattern
   ScalarSource
   SobelStencil
   SphereDirections
+  TangentTable
   VoxelEvaluation)
 set(rendering_sources
   AttenuatedStretch
@@ -83,9 +89,15 @@ set(rendering_sources
   LightingTableTexture
   LightingTransferFunctionTerm
   MacrocellDistances
+  LineAtlas
+  LineEvaluation
+  LineTextures
+  LineVolume
+  LineVoxelTerm
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
+  OcclusionTerm
   OpticsFactory
   OpticsIsosurfaces
   OpticsMapperKnobs
@@ -101,6 +113,10 @@ set(rendering_sources
   ReflectanceTerm
   ScalarPair
   SceneNeeds
+  SweepGrid
+  SweepProgram
+  SweepTarget
+  SweepViews
   TermTexture
   TetrahedraVertices
   TetrahedralGrid

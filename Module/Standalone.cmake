@@ -8,6 +8,8 @@ if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif ()
 option(BUILD_SHARED_LIBS "Build shared libraries" ON)
 option(VOLUMEOPTICS_WRAP_PYTHON "Build the Python package volumeoptics" ON)
+option(VOLUMEOPTICS_BUILD_PARAVIEW_PLUGIN
+  "Build the plugin for ParaView, and nothing else, against ParaView's own VTK" OFF)
 
 set(VOLUMEOPTICS_SANITIZE "" CACHE STRING
   "Sanitizers to build with, as in -fsanitize=: address,undefined")
@@ -29,6 +31,14 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}"
 
 set(volumeoptics_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/VolumeOptics")
 
+find_package(glm REQUIRED)
+
+# ParaView brings a VTK of its own: one build tree has one VTK.
+if (VOLUMEOPTICS_BUILD_PARAVIEW_PLUGIN)
+  include(Module/ParaView/Plugin.cmake)
+  return()
+endif ()
+
 # Debian's VTK belongs to Debian's Python, which need not be the first one on PATH.
 if (NOT DEFINED Python3_EXECUTABLE AND NOT VTK_DIR)
   execute_process(COMMAND /usr/bin/python3 -c "import vtkmodules"
@@ -41,12 +51,11 @@ endif ()
 set(volumeoptics_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
   FiltersSources IOImage ImagingCore ImagingGeneral ImagingMath InteractionStyle
-  RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
+  ParallelCore RenderingContext2D RenderingContextOpenGL2 RenderingCore RenderingFreeType
   RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 TestingCore TestingRendering
   ViewsContext2D jsoncpp opengl)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${volumeoptics_vtk_components}
   OPTIONAL_COMPONENTS WrappingPythonCore Python glew glad)
-find_package(glm REQUIRED)
 
 vtk_module_scan(
   MODULE_FILES     "${CMAKE_CURRENT_SOURCE_DIR}/vtk.module"
@@ -79,6 +88,7 @@ endif ()
 add_subdirectory(Module/Plugin)
 include(Module/Package.cmake)
 add_subdirectory(Examples)
+include(Module/DebianPackage.cmake)
 
 if (BUILD_TESTING)
   include(Testing/Standalone.cmake)

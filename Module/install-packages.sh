@@ -6,10 +6,15 @@
 #
 #   Module/install-packages.sh                  everything
 #   Module/install-packages.sh --without-tests  what it takes to build and run
+#   Module/install-packages.sh --with-paraview  everything, and what the ParaView plugin takes
 
 set -euo pipefail
 list=$(dirname "${BASH_SOURCE[0]}")/debian-packages.txt
-[ "${1:-}" = --without-tests ] && wanted=$(sed '/^# To test/,$d' "$list") || wanted=$(cat "$list")
+case "${1:-}" in
+  --without-tests) wanted=$(sed '/^# To test/,$d' "$list") ;;
+  --with-paraview) wanted=$(cat "$list" "${list%.txt}-paraview.txt") ;;
+  *) wanted=$(cat "$list") ;;
+esac
 
 missing=()
 for package in $(sed 's/#.*//' <<<"$wanted"); do

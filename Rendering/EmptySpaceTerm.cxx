@@ -12,11 +12,18 @@
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 namespace
 {
-// Of the cells: where less is empty, looking for it costs more than it saves.
-const double LeastEmptyFraction = 0.1;
+// Of the cells: where less is empty, looking for it costs more than it saves. A sample that is lit, or whose gradient is
+// needed, costs several times as much as one that is only looked up.
+double LeastEmptyFraction(const OpticsScene& scene)
+{
+  const bool needsGradient = scene.Volume->GetProperty()->GetShade() || HasGradientOpacity(scene) ||
+    Is2D(scene) || ReplacesIntegral(scene);
+  return needsGradient ? 0.1 : 0.3;
+}
 
 void FindDimensions(const OpticsScene& scene, int dimensions[3])
 {
@@ -37,8 +44,13 @@ bool HasOwnShader(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool EmptySpaceTerm::IsActive(const OpticsScene& scene)
 {
-  return scene.Mapper->GetSkipEmptySpace() && FindUnsupported(scene).empty() && IsSeenByScalars(scene) &&
-    !scene.Mapper->HasPartitions() && !HasOwnShader(scene);
+  const bool isServed = scene.Mapper->GetSkipEmptySpace() && FindUnsupportedBySamples(scene).empty() &&
+    IsSeenByScalars(scene) && !scene.Mapper->HasPartitions() && !HasOwnShader(scene);
+  if (!isServed)
+  {
+    this->Grid->SetScalars(nullptr); // nor keeps them from being deleted
+  }
+  return isServed;
 }
 
 //------------------------------------------------------------------------------
@@ -55,7 +67,7 @@ bool EmptySpaceTerm::Prepare(const OpticsScene& scene)
     return false;
   }
   this->Classify(scene);
-  return this->Grid->GetEmptyFraction() >= LeastEmptyFraction;
+  return this->Grid->GetEmptyFraction() >= LeastEmptyFraction(scene);
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,7 @@ void IntegrationTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& feat
   features.Add(F::Integral);
   features.Add(F::SampleScalar);
   features.Add(F::OpacityFormulas);
+  features.Add(F::DataSpaceFormulas);
   features.Add(IsPreIntegrated(scene) ? F::IntegralPreIntegrated : F::IntegralPost);
   features.Add(IntegratesInData(scene) ? F::IntegralInData : F::IntegralInSpace);
   const F colors[] = { F::ColorOfSegment, F::ColorOfFirst, F::ColorOfSample };

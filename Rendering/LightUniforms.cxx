@@ -3,6 +3,8 @@
 
 #include "LightUniforms.h"
 
+#include "VTKVersion.h"
+
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -10,8 +12,8 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTransform.h"
-#include "vtkVersion.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -19,21 +21,6 @@
 namespace
 {
 using Vector = std::array<float, 3>;
-
-template <typename Function>
-void ForEachLight(vtkRenderer* renderer, Function function)
-{
-  vtkLightCollection* lights = renderer->GetLights();
-  vtkCollectionSimpleIterator iterator;
-  lights->InitTraversal(iterator);
-  while (vtkLight* light = lights->GetNextLight(iterator))
-  {
-    if (light->GetSwitch())
-    {
-      function(light);
-    }
-  }
-}
 
 Vector Scaled(const double* vector, double factor)
 {
@@ -70,16 +57,34 @@ void SetVectors(vtkShaderProgram* program, const char* name, const std::vector<V
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkLight*> LightsThatAreOn(vtkRenderer* renderer)
+{
+  std::vector<vtkLight*> found;
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  lights->InitTraversal(iterator);
+  while (vtkLight* light = lights->GetNextLight(iterator))
+  {
+    if (light->GetSwitch())
+    {
+      found.push_back(light);
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
 LightLimit::LightLimit(vtkRenderer* renderer)
 {
   int count = 0;
-  ForEachLight(renderer, [&](vtkLight* light) {
-    if (++count > Largest && vtkVersion::GetVTKMajorVersion() == 9 && vtkVersion::GetVTKMinorVersion() < 2)
+  for (vtkLight* light : LightsThatAreOn(renderer))
+  {
+    if (++count > Largest && VTKLimitsLights)
     {
       light->SwitchOff();
       this->LeftOut.push_back(light);
     }
-  });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -94,17 +99,15 @@ LightLimit::~LightLimit()
 //------------------------------------------------------------------------------
 int CountLights(vtkRenderer* renderer)
 {
-  int count = 0;
-  ForEachLight(renderer, [&count](vtkLight*) { ++count; });
-  return count;
+  return static_cast<int>(LightsThatAreOn(renderer).size());
 }
 
 //------------------------------------------------------------------------------
 bool HasPositionalLight(vtkRenderer* renderer)
 {
-  bool found = false;
-  ForEachLight(renderer, [&found](vtkLight* light) { found |= light->GetPositional() != 0; });
-  return found;
+  const std::vector<vtkLight*> lights = LightsThatAreOn(renderer);
+  return std::any_of(
+    lights.begin(), lights.end(), [](vtkLight* light) { return light->GetPositional() != 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -112,14 +115,15 @@ void SetLightUniforms(vtkRenderer* renderer, vtkShaderProgram* program)
 {
   vtkTransform* view = renderer->GetActiveCamera()->GetModelViewTransformObject();
   std::vector<Vector> diffuse, specular, direction, position, attenuation, cone;
-  ForEachLight(renderer, [&](vtkLight* light) {
+  for (vtkLight* light : LightsThatAreOn(renderer))
+  {
     diffuse.push_back(Scaled(light->GetDiffuseColor(), light->GetIntensity()));
     specular.push_back(Scaled(light->GetSpecularColor(), light->GetIntensity()));
     direction.push_back(DirectionInEye(light, view));
     position.push_back(Scaled(view->TransformPoint(light->GetTransformedPosition()), 1.0));
     attenuation.push_back(Scaled(light->GetAttenuationValues(), 1.0));
     cone.push_back(Cone(light));
-  });
+  }
   SetVectors(program, "in_opticsLightDiffuse", diffuse);
   SetVectors(program, "in_opticsLightSpecular", specular);
   SetVectors(program, "in_opticsLightDirection", direction);

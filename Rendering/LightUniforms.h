@@ -32,7 +32,9 @@ private:
   std::vector<vtkLight*> LeftOut;
 };
 
-/** Lights that are switched on. */
+/** In the order of the uniforms. */
+std::vector<vtkLight*> LightsThatAreOn(vtkRenderer* renderer);
+
 int CountLights(vtkRenderer* renderer);
 
 bool HasPositionalLight(vtkRenderer* renderer);

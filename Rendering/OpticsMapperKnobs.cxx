@@ -12,6 +12,7 @@
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ namespace
 {
 const char* const GradientTypeNames[] = { "Stored", "CentralDifferences", "Automatic" };
 const char* const LightingSamplesNames[] = { "Fetched", "Extrapolated" };
+const char* const VisibilityAlgorithmNames[] = { "DirectionSweep", "Disk", "DiskSolidAngle" };
 }
 
 //------------------------------------------------------------------------------
@@ -57,6 +59,65 @@ void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineRadiusScale(int type, double scale)
+{
+  double& place = this->LineRadiusScales.emplace(type, 1.0).first->second;
+  volumeoptics::SetWithinRange(this, "LineRadiusScale", scale, 0.0, 1.0e6, place);
+}
+
+//------------------------------------------------------------------------------
+double vtkOpticsVolumeMapper::GetLineRadiusScale(int type) const
+{
+  const auto found = this->LineRadiusScales.find(type);
+  return found == this->LineRadiusScales.end() ? 1.0 : found->second;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineOpacityScale(int type, double scale)
+{
+  double& place = this->LineOpacityScales.emplace(type, 1.0).first->second;
+  volumeoptics::SetWithinRange(this, "LineOpacityScale", scale, 0.0, 1.0, place);
+}
+
+//------------------------------------------------------------------------------
+double vtkOpticsVolumeMapper::GetLineOpacityScale(int type) const
+{
+  const auto found = this->LineOpacityScales.find(type);
+  return found == this->LineOpacityScales.end() ? 1.0 : found->second;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineOpacityFunction(vtkPiecewiseFunction* function)
+{
+  if (this->LineOpacityFunction != function)
+  {
+    this->LineOpacityFunction = function;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPiecewiseFunction* vtkOpticsVolumeMapper::GetLineOpacityFunction() const
+{
+  return this->LineOpacityFunction;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLinePrecision(int bits)
+{
+  if (bits != 16 && bits != 32)
+  {
+    vtkWarningMacro(<< "LinePrecision " << bits << " is not set: choose 16 or 32.");
+    return;
+  }
+  if (this->LinePrecision != bits)
+  {
+    this->LinePrecision = bits;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 const char* vtkOpticsVolumeMapper::GetExtinctionGradientAsString()
 {
   return GradientTypeNames[this->ExtinctionGradient];
@@ -75,6 +136,52 @@ const char* vtkOpticsVolumeMapper::GetLightingSamplesAsString()
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilityGridSize(int froxels)
+{
+  volumeoptics::SetWithinRange(this, "VisibilityGridSize", froxels, 1, 2048, this->VisibilityGridSize);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilitySliceDistance(double froxels)
+{
+  volumeoptics::SetWithinRange(
+    this, "VisibilitySliceDistance", froxels, 0.1, 10.0, this->VisibilitySliceDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilitySamples(int directions)
+{
+  if (directions != 4 && directions != 8 && directions != 16)
+  {
+    vtkWarningMacro(<< "VisibilitySamples " << directions << " is not set: choose 4, 8 or 16.");
+    return;
+  }
+  if (this->VisibilitySamples != directions)
+  {
+    this->VisibilitySamples = directions;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkOpticsVolumeMapper::GetVisibilityAlgorithmAsString()
+{
+  return VisibilityAlgorithmNames[this->VisibilityAlgorithm];
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilityDiskSize(int size)
+{
+  volumeoptics::SetWithinRange(this, "VisibilityDiskSize", size, 1, 32, this->VisibilityDiskSize);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilityPrecision(int bits)
+{
+  volumeoptics::SetPrecision(this, "VisibilityPrecision", bits, this->VisibilityPrecision);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetQuality(int quality)
 {
   this->Quality = std::clamp(quality, static_cast<int>(Custom), static_cast<int>(Reference));
@@ -88,6 +195,9 @@ void vtkOpticsVolumeMapper::SetQuality(int quality)
   this->StepInVoxels = preset.StepInVoxels;
   this->SetFrameResolutionFactor(preset.ResolutionFactor);
   this->SetFramePrecision(preset.Bits);
+  this->SetVisibilityGridSize(preset.VisibilityGridSize);
+  this->SetVisibilitySamples(preset.VisibilitySamples);
+  this->SetVisibilityPrecision(preset.VisibilityPrecision);
   this->GetAmbientCovarianceFilter()->SetNumberOfSamples(preset.Samples);
   this->GetAmbientCovarianceFilter()->SetFilterStandardDeviation(preset.FilterStandardDeviation);
 }
@@ -107,7 +217,8 @@ void vtkOpticsVolumeMapper::UpdateSampleDistance(vtkRenderer* renderer)
   {
     return;
   }
-  const double* spacing = image->GetSpacing();
+  double spacing[3];
+  this->GetVoxelSpacing(spacing);
   const double smallest = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
   const double slack = this->IsInteractive(renderer) ? 2.0 : 1.0;
   this->SetAutoAdjustSampleDistances(0);
@@ -127,7 +238,7 @@ double vtkOpticsVolumeMapper::GetFrameSampleDistance(vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
   double spacing[3];
-  image->GetSpacing(spacing);
+  this->GetVoxelSpacing(spacing);
   if (this->AutoAdjustSampleDistances)
   {
     double least = VTK_DOUBLE_MAX;
@@ -159,9 +270,26 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LightingTableSize: " << this->LightingTableSize << "\n";
   os << indent << "LightingSamples: " << this->GetLightingSamplesAsString() << "\n";
   os << indent << "PreIntegrationTableSize: " << this->PreIntegrationTableSize << "\n";
+  os << indent << "VisibilityGridSize: " << this->VisibilityGridSize << "\n";
+  os << indent << "VisibilitySliceDistance: " << this->VisibilitySliceDistance << "\n";
+  os << indent << "VisibilitySamples: " << this->VisibilitySamples << "\n";
+  os << indent << "VisibilityAlgorithm: " << this->GetVisibilityAlgorithmAsString() << "\n";
+  os << indent << "VisibilityDiskSize: " << this->VisibilityDiskSize << "\n";
+  os << indent << "VisibilityTrueDistances: " << (this->VisibilityTrueDistances ? "on" : "off") << "\n";
+  os << indent << "VisibilityPrecision: " << this->VisibilityPrecision << "\n";
   os << indent << "TablePrecision: " << this->TablePrecision << "\n";
-  os << indent << "SkipEmptySpace: " << (this->SkipEmptySpace ? "On" : "Off") << "\n";
+  os << indent << "SkipEmptySpace: " << (this->SkipEmptySpace ? "on" : "off") << "\n";
   os << indent << "MacrocellSize: " << this->MacrocellSize << "\n";
+  os << indent << "LinePrecision: " << this->LinePrecision << "\n";
+  os << indent << "LineOpacityFunction: " << this->LineOpacityFunction.Get() << "\n";
+  for (const auto& [type, scale] : this->LineRadiusScales)
+  {
+    os << indent << "LineRadiusScale of type " << type << ": " << scale << "\n";
+  }
+  for (const auto& [type, scale] : this->LineOpacityScales)
+  {
+    os << indent << "LineOpacityScale of type " << type << ": " << scale << "\n";
+  }
   os << indent << "Quality: " << this->GetQualityAsString() << "\n";
   os << indent << "ActiveTerms: " << this->GetActiveTerms() << "\n";
   os << indent << "TermMemorySize: " << this->GetTermMemorySize() << " KiB\n";

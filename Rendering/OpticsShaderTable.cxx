@@ -5,6 +5,9 @@
 
 #include "vtkShaderProgram.h"
 
+#include "AmbientAlone.h"
+#include "AmbientColor.h"
+#include "AmbientSurface.h"
 #include "AnisotropyComponents.h"
 #include "AnisotropyFrame.h"
 #include "AnisotropyMap.h"
@@ -17,6 +20,7 @@
 #include "ColorOfSample.h"
 #include "ColorOfSegment.h"
 #include "ColorTable.h"
+#include "CylinderLighting.h"
 #include "DataSpace.h"
 #include "DataSpaceInterior.h"
 #include "DataSpaceSegment.h"
@@ -48,6 +52,17 @@
 #include "Lighting.h"
 #include "LightsDirectional.h"
 #include "LightsPositional.h"
+#include "LineBlock.h"
+#include "LineBlockNone.h"
+#include "LineEvaluationFragment.h"
+#include "LineEvaluationVertex.h"
+#include "LineLookup.h"
+#include "LineRay.h"
+#include "LineShadingImpl.h"
+#include "LineShadingInit.h"
+#include "LineTerminate.h"
+#include "LineVoxel.h"
+#include "LinesDec.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
 #include "MultiSampleRule.h"
@@ -55,6 +70,8 @@
 #include "NoNormalForCentral.h"
 #include "NormalForCentral.h"
 #include "NormalLookup.h"
+#include "Occlusion.h"
+#include "OcclusionNone.h"
 #include "Opacity.h"
 #include "OpacityAt2D.h"
 #include "OpacityAtLabel.h"
@@ -62,6 +79,8 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
+#include "OwnOpacity.h"
+#include "OwnOpacityInData.h"
 #include "ProjectedTetrahedraDec.h"
 #include "ProjectedTetrahedraInterior.h"
 #include "ProjectedTetrahedraIsosurfaces.h"
@@ -95,18 +114,33 @@
 #include "SilhouetteGeometry.h"
 #include "SilhouetteOff.h"
 #include "SoftRange.h"
+#include "SphericalHarmonics.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
 #include "SurfaceFlag.h"
 #include "SurfaceInData.h"
 #include "SurfaceOfExtinction.h"
+#include "SweepClipping.h"
+#include "SweepClippingNone.h"
+#include "SweepDec.h"
+#include "SweepFrame.h"
+#include "SweepInData.h"
+#include "SweepInSpace.h"
+#include "SweepIsosurfaces.h"
+#include "SweepIsosurfacesNone.h"
+#include "SweepOfSample.h"
+#include "SweepOfSegment.h"
+#include "SweepRayBegin.h"
+#include "SweepRayEnd.h"
+#include "SweepTerminate.h"
 #include "Transmitted.h"
 #include "TransmittedDec.h"
 #include "TransmittedNone.h"
 #include "TransmittedShare.h"
 #include "TransmittedSide.h"
 #include "TransmittedSurface.h"
+#include "Visibility.h"
 
 #include <vector>
 
@@ -129,7 +163,9 @@ const Place ClippingImpl = { "//VTK::Clipping::Impl", true };
 const Place BaseImpl = { "//VTK::Base::Impl", true, true };
 const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
+const Place DepthPassImpl = { "//VTK::DepthPass::Impl", true };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
+const Place AfterTerminateImpl = { "//VTK::Terminate::Impl", true };
 // Places of our own, in Lighting.glsl.
 const Place GradientPlace = { "//Optics::Gradient", false };
 const Place SurfacePlace = { "//Optics::Surface", false };
@@ -150,13 +186,16 @@ const Row Table[] = {
   { F::Transmitted, &BaseDec, TransmittedDec },
   { F::Ray, &BaseDec, RayDec },
   { F::FrameLookup, &BaseDec, FrameDec },
+  { F::VisibilitySweep, &BaseDec, SweepDec },
+  { F::Lines, &BaseDec, LinesDec },
 
   { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
 
   { F::Scattering, &ComputeLightingDec, PhaseFunction },
   { F::OpacityFormulas, &ComputeLightingDec, Opacity },
-  { F::Integral, &ComputeLightingDec, DataSpace },
+  { F::DataSpaceFormulas, &ComputeLightingDec, DataSpace },
+  { F::VisibilityFormulas, &ComputeLightingDec, Visibility },
   { F::ExtinctionSurface, &ComputeLightingDec, Reflectance },
   { F::Anisotropic, &ComputeLightingDec, AnisotropyFrame },
   { F::FrameLookup, &ComputeLightingDec, NormalLookup },
@@ -199,6 +238,12 @@ const Row Table[] = {
   { F::CoefficientsOfTable, &ComputeLightingDec, CoefficientsOfTable },
   { F::HybridNormals, &ComputeLightingDec, HybridNormal },
   { F::HybridNormals, &ComputeLightingDec, HybridDec },
+  { F::OwnOpacity, &ComputeLightingDec, OwnOpacity },
+  { F::OwnOpacityInData, &ComputeLightingDec, OwnOpacityInData },
+  { F::OcclusionNone, &ComputeLightingDec, OcclusionNone },
+  { F::Occlusion, &ComputeLightingDec, Occlusion },
+  { F::AmbientLight, &ComputeLightingDec, AmbientColor },
+  { F::AmbientAlone, &ComputeLightingDec, AmbientAlone },
   { F::Reflectance, &ComputeLightingDec, Lighting },
   { F::MultiSample, &ComputeLightingDec, SoftRange },
   { F::MultiSample, &ComputeLightingDec, MultiSampleRule },
@@ -208,6 +253,7 @@ const Row Table[] = {
   { F::ScalarGradientCentral, &GradientPlace, ScalarGradientOfSample },
   { F::HybridNormals, &SurfacePlace, HybridSurface },
   { F::HybridDiffuse, &SurfacePlace, HybridDiffuse },
+  { F::AmbientLight, &SurfacePlace, AmbientSurface },
   { F::Transmitted, &SurfacePlace, TransmittedSurface },
   { F::Transmitted, &LightPlace, TransmittedSide },
   { F::Transmitted, &TransmissionPlace, Transmitted },
@@ -235,8 +281,20 @@ const Row Table[] = {
   { F::HiddenHalf, &ComputeRayDirectionDec, HiddenHalf },
   { F::HiddenByCropping, &ComputeRayDirectionDec, HiddenByCropping },
   { F::Integral, &ComputeRayDirectionDec, IntegralRay },
+  { F::SweepClipping, &ComputeRayDirectionDec, SweepClipping },
+  { F::SweepClippingNone, &ComputeRayDirectionDec, SweepClippingNone },
+  { F::SweepOfSample, &ComputeRayDirectionDec, SweepOfSample },
+  { F::SweepInSpace, &ComputeRayDirectionDec, SweepInSpace },
+  { F::SweepInData, &ComputeRayDirectionDec, SweepInData },
+  { F::SweepIsosurfaces, &ComputeRayDirectionDec, SweepIsosurfaces },
+  { F::SweepIsosurfacesNone, &ComputeRayDirectionDec, SweepIsosurfacesNone },
+  { F::SweepOfSegment, &ComputeRayDirectionDec, SweepOfSegment },
+  { F::VisibilitySweep, &ClippingImpl, SweepRayBegin },
   { F::Integral, &ClippingImpl, IntegralPath },
   { F::Integral, &ShadingInit, IntegralInit },
+  { F::VisibilitySweep, &ShadingInit, SweepRayEnd },
+  { F::SweepFrame, &ShadingInit, SweepFrame },
+  { F::VisibilitySweep, &DepthPassImpl, SweepTerminate },
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
 
@@ -245,6 +303,13 @@ const Row Table[] = {
   { F::EmptySpaceOfSegments, &ShadingInit, EmptySpaceSegmentsInit },
   { F::EmptySpaceOfSamples, &BaseImpl, EmptySpaceOfSamples },
   { F::EmptySpaceOfSegments, &BaseImpl, EmptySpaceOfSegments },
+  { F::Lines, &ComputeRayDirectionDec, LineLookup },
+  { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
+  { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
+  { F::Lines, &ComputeRayDirectionDec, LineRay },
+  { F::Lines, &ShadingInit, LineShadingInit },
+  { F::Lines, &ShadingImpl, LineShadingImpl },
+  { F::Lines, &AfterTerminateImpl, LineTerminate },
 };
 
 // Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
@@ -326,7 +391,7 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
 {
   Place place = ComputeLightingDec;
   std::string text = TextFor(ComputeLightingDec, features);
-  if (features.Has(OpticsFeature::Reflectance))
+  if (features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone))
   {
     place.KeepsVTKText = false;
     text.insert(0, NumberOfLightsText(features.NumberOfLights));
@@ -341,7 +406,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 {
   bool found = InsertLighting(fragment, features);
   for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &BaseImpl, &ShadingImpl, &TerminateImpl })
+         &BaseImpl, &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }
@@ -353,6 +418,22 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
   const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
   return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
+}
+
+//------------------------------------------------------------------------------
+std::string LineEvaluationVertexShader(int order, int types, bool hasProduct)
+{
+  const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
+    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n#define OPTICS_LINE_PRODUCT " +
+    (hasProduct ? "1\n" : "0\n");
+  return "//VTK::System::Dec\n" + constants + Opacity + SphericalHarmonics + CylinderLighting + LineVoxel +
+    LineEvaluationVertex;
+}
+
+//------------------------------------------------------------------------------
+std::string LineEvaluationFragmentShader()
+{
+  return LineEvaluationFragment;
 }
 
 //------------------------------------------------------------------------------

@@ -72,11 +72,32 @@ enum class OpticsFeature
   Transmitted,
   HiddenHalf,
   HiddenByCropping,
+  AmbientLight, // other than white and everywhere the same
+  AmbientAlone, // without Shade
+  OcclusionNone,
+  OwnOpacity,
+  OwnOpacityInData,
+  Occlusion,
+  DataSpaceFormulas,
+  VisibilityFormulas,
+  VisibilitySweep, // the text serves a sweep as well (SweepProgram)
+  SweepOfSample,
+  SweepOfSegment,
+  SweepInSpace,
+  SweepInData,
+  SweepIsosurfaces,
+  SweepIsosurfacesNone,
+  SweepFrame,
+  SweepClipping,
+  SweepClippingNone,
   IsosurfacesNone,
   Isosurfaces,
   EmptySpace, // what sees nothing is skipped
   EmptySpaceOfSamples,
   EmptySpaceOfSegments, // of the integral's
+  Lines,                // anisotropic voxels are drawn in place of VTK's samples
+  LineBlock,
+  LineBlockNone,
   Count
 };
 
@@ -107,6 +128,12 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
  * Replaces statements of VTK's own text, after VTK has written it. Returns false as above.
  */
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
+
+/**
+ * The shaders that evaluate anisotropic voxels of an order and a number of line types.
+ */
+std::string LineEvaluationVertexShader(int order, int types, bool hasProduct);
+std::string LineEvaluationFragmentShader();
 
 /**
  * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.

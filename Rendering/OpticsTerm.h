@@ -38,7 +38,13 @@ public:
   /** Binds textures and sets every uniform: programs are shared between mappers. */
   virtual void SetUniforms(const OpticsScene& scene, vtkShaderProgram* program) = 0;
 
-  /** Gives back the texture units that SetUniforms() took. */
+  /**
+   * After VTK has set every uniform and bound every texture of the volume, or of a block of it, and before
+   * it draws it. What is drawn here must leave OpenGL as it was found.
+   */
+  virtual void BeforeDraw(const OpticsScene&, vtkShaderProgram*) {}
+
+  /** Gives back the texture units that SetUniforms() and BeforeDraw() took. */
   virtual void UnbindTextures() = 0;
 
   virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;

@@ -12,8 +12,11 @@ struct QualityPreset
   int Bits;
   int Samples;
   double FilterStandardDeviation; // voxels
+  int VisibilityGridSize;
+  int VisibilitySamples;
+  int VisibilityPrecision;
 };
-const QualityPreset QualityPresets[] = { {}, { 1.0, 0.5, 8, 100, 1.0 }, { 0.5, 1.0, 8, 1000, 1.0 },
-  { 0.25, 1.0, 16, 4096, 0.0 } };
+const QualityPreset QualityPresets[] = { {}, { 1.0, 0.5, 8, 100, 1.0, 64, 4, 16 },
+  { 0.5, 1.0, 8, 1000, 1.0, 128, 8, 16 }, { 0.25, 1.0, 16, 4096, 0.0, 256, 16, 32 } };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "RayUniforms.h"
 
+#include "LineVoxels.h"
 #include "TransferFunctionTerm.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
@@ -35,7 +36,8 @@ void SetMatrix(vtkShaderProgram* program, const char* name, vtkMatrix3x3* matrix
 //------------------------------------------------------------------------------
 double SmallestSpacing(const OpticsScene& scene)
 {
-  const double* spacing = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetSpacing();
+  double spacing[3];
+  volumeoptics::GetVoxelSpacing(vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput()), spacing);
   return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 

@@ -87,9 +87,14 @@ void SetExtinctionUniforms(const OpticsScene& scene, vtkShaderProgram* program)
   program->SetUniformf("in_opticsChangeToVTK", static_cast<float>(4.0 * meanSpacing / step));
 }
 
+bool HasOwnModel(const OpticsScene& scene)
+{
+  return scene.Optics->GetReflectanceModel() != Property::VTK;
+}
+
 void SayUnsupported(const OpticsScene& scene, const std::string& reason)
 {
-  const bool hasModel = scene.Optics->GetReflectanceModel() != Property::VTK;
+  const bool hasModel = HasOwnModel(scene);
   const std::string who = hasModel
     ? std::string("Reflectance model ") + scene.Optics->GetReflectanceModelAsString()
     : std::string("The lighting transfer function");
@@ -106,8 +111,8 @@ bool ReflectanceTerm::IsActive(const OpticsScene& scene)
   {
     return false;
   }
-  const std::string reason = FindUnsupported(scene);
-  if (!reason.empty())
+  const std::string reason = FindUnsupportedBySamples(scene);
+  if (!reason.empty() && (HasOwnModel(scene) || scene.Optics->GetLightingTransferFunction()))
   {
     SayUnsupported(scene, reason);
   }

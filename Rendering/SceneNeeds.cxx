@@ -3,6 +3,7 @@
 
 #include "SceneNeeds.h"
 
+#include "LineVoxels.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -56,9 +57,39 @@ std::string FindUnsupported(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
+std::string FindUnsupportedBySamples(const OpticsScene& scene)
+{
+  return HasLineVoxels(scene) ? "lines as anisotropic voxels, which have opacity and light of their own"
+                              : FindUnsupported(scene);
+}
+
+//------------------------------------------------------------------------------
+bool HasLineVoxels(const OpticsScene& scene)
+{
+  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
+  const char* name = scene.Scalars->GetName();
+  return image && scene.CellScalars && name && std::string(name) == "BrickIndex" &&
+    volumeoptics::HoldsLineVoxels(image);
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsupportedByLines(const OpticsScene& scene)
+{
+  if (scene.Mapper->GetInputCount() > 1)
+  {
+    return "several volumes in one mapper (vtkMultiVolume)";
+  }
+  if (scene.Mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND)
+  {
+    return "a blend mode other than composite";
+  }
+  return HasLabels(scene) ? "label maps" : "";
+}
+
+//------------------------------------------------------------------------------
 std::string FindUnsupportedByIntegral(const OpticsScene& scene)
 {
-  std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty())
   {
     return reason;
@@ -93,13 +124,13 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene));
+      TransmitsLight(scene) || WantsAmbientLight(scene));
 }
 
 //------------------------------------------------------------------------------
 bool ReplacesLighting(const OpticsScene& scene)
 {
-  return WantsLighting(scene) && FindUnsupported(scene).empty();
+  return WantsLighting(scene) && FindUnsupportedBySamples(scene).empty();
 }
 
 //------------------------------------------------------------------------------
@@ -123,7 +154,7 @@ bool WantsClassification(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 std::string FindUnsupportedByClassification(const OpticsScene& scene)
 {
-  std::string reason = FindUnsupported(scene);
+  std::string reason = FindUnsupportedBySamples(scene);
   if (!reason.empty())
   {
     return reason;
@@ -170,6 +201,25 @@ bool TransmitsLight(const OpticsScene& scene)
 {
   return scene.Optics->GetTransmittedLight() != Property::TransmittedLightOff &&
     scene.Volume->GetProperty()->GetShade() && IntegratesInData(scene);
+}
+
+//------------------------------------------------------------------------------
+bool WantsAmbientLight(const OpticsScene& scene)
+{
+  const double* color = scene.Optics->GetAmbientColor();
+  return scene.Optics->GetOcclusion() || color[0] != 1.0 || color[1] != 1.0 || color[2] != 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool HasAmbientLight(const OpticsScene& scene)
+{
+  return WantsAmbientLight(scene) && FindUnsupported(scene).empty();
+}
+
+//------------------------------------------------------------------------------
+bool HasOcclusion(const OpticsScene& scene)
+{
+  return scene.Optics->GetOcclusion() && HasAmbientLight(scene);
 }
 
 //------------------------------------------------------------------------------

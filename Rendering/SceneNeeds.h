@@ -13,6 +13,13 @@
 /** What no term can draw, in words; empty where all can. */
 std::string FindUnsupported(const OpticsScene& scene);
 
+/** The same for what classifies or lights VTK's samples. */
+std::string FindUnsupportedBySamples(const OpticsScene& scene);
+
+/** Whether the volume is lines as anisotropic voxels, and what these can't be drawn with. */
+bool HasLineVoxels(const OpticsScene& scene);
+std::string FindUnsupportedByLines(const OpticsScene& scene);
+
 /** The same for the integral along the ray. */
 std::string FindUnsupportedByIntegral(const OpticsScene& scene);
 
@@ -42,6 +49,13 @@ bool HasSilhouettes(const OpticsScene& scene);
 
 /** Whether light shines through from behind. */
 bool TransmitsLight(const OpticsScene& scene);
+
+/** Whether the scene asks for ambient light other than white and everywhere the same, and whether it gets it. */
+bool WantsAmbientLight(const OpticsScene& scene);
+bool HasAmbientLight(const OpticsScene& scene);
+
+/** Whether it is darkened by what is in front. */
+bool HasOcclusion(const OpticsScene& scene);
 
 bool HasGradientOpacity(const OpticsScene& scene);
 bool Is2D(const OpticsScene& scene);

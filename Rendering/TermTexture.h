@@ -31,6 +31,7 @@ public:
 
   explicit operator bool() const { return this->Texture != nullptr; }
   vtkTextureObject* operator->() const { return this->Texture; }
+  vtkTextureObject* Get() const { return this->Texture; }
 
 private:
   vtkSmartPointer<vtkTextureObject> Texture;

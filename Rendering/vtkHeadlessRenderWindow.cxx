@@ -10,23 +10,17 @@
 #include "vtkHeadlessRenderWindow.h"
 
 #include "HeadlessContext.h"
+#include "VTKVersion.h"
 #include "OpticsFactory.h"
 
 #include "vtkCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
-#include "vtkVersionMacros.h"
-
-#include <cstdlib>
-#include <string>
-
-// VTK 9.4 finds a window that needs no display by itself, and loads OpenGL's functions with glad.
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240601)
-#define VOLUMEOPTICS_VTK_HAS_HEADLESS_WINDOW
-#endif
 
 #include <algorithm>
+#include <cstdlib>
+#include <string>
 
 vtkStandardNewMacro(vtkHeadlessRenderWindow);
 

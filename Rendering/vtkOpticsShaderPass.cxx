@@ -62,6 +62,7 @@ void vtkOpticsShaderPass::Detach()
   }
   this->Terms.clear();
   this->Scene = {};
+  this->Program = nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -101,9 +102,22 @@ bool vtkOpticsShaderPass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper*, vtkProp*, vtkOpenGLVertexArrayObject*)
 {
   this->Programs.insert(program->GetMD5Hash());
+  this->Program = program;
   for (OpticsTerm* term : this->Terms)
   {
     term->SetUniforms(this->Scene, program);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsShaderPass::BeforeDraw()
+{
+  if (this->Program)
+  {
+    for (OpticsTerm* term : this->Terms)
+    {
+      term->BeforeDraw(this->Scene, this->Program);
+    }
+  }
 }

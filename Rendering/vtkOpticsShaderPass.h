@@ -27,6 +27,9 @@ public:
   void Attach(const OpticsScene& scene, const std::vector<OpticsTerm*>& terms);
   void Detach();
 
+  /** VTK has set everything that the terms' SetUniforms() could not see yet, and will draw next. */
+  void BeforeDraw();
+
   /** Programs drawn with so far, each of which was linked once. */
   int GetProgramLinkCount() const { return static_cast<int>(this->Programs.size()); }
 
@@ -56,6 +59,7 @@ private:
   vtkTimeStamp FeaturesTime;
   OpticsScene Scene = {};
   std::vector<OpticsTerm*> Terms;
+  vtkShaderProgram* Program = nullptr; // of the frame that is being drawn
   std::set<std::string> Programs;
   std::string FragmentShader;
 };

@@ -9,9 +9,12 @@
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
 #include "LightingTransferFunctionTerm.h"
+#include "LineVoxelTerm.h"
 #include "MultiSampleTerm.h"
+#include "OcclusionTerm.h"
 #include "OpticsFactory.h"
 #include "ReflectanceTerm.h"
+#include "SceneNeeds.h"
 #include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -21,6 +24,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
@@ -37,6 +41,11 @@
 
 vtkStandardNewMacro(vtkOpticsVolumeMapper);
 
+namespace
+{
+const double SlowestInteraction = 1.0; // frames a second, vtkSmartVolumeMapper's limit
+}
+
 class vtkOpticsVolumeMapper::Implementation
 {
 public:
@@ -51,11 +60,14 @@ public:
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
   EmptySpaceTerm EmptySpace;
+  LineVoxelTerm Lines;
+  OcclusionTerm Occlusion;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->EmptySpace };
+    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines, &this->Occlusion,
+    &this->EmptySpace };
+  vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of volumes whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
-  vtkNew<vtkOpticsVolumeProperty> NoOptics; // VTK's own, of volumes that have none
   vtkWeakPointer<vtkRenderWindow> LastWindow;
   std::set<std::string> Said;
   std::string ActiveTerms;
@@ -128,16 +140,48 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
       " that this VTK's volume shader holds: the last ones are left out.");
   }
   OpticsScene scene = MakeOpticsScene(this, renderer, volume);
-  scene.Optics = scene.Optics ? scene.Optics : this->Terms->NoOptics.Get();
+  scene.Optics = scene.Optics ? scene.Optics : this->Terms->PlainOptics.Get();
+  const bool hasLines = scene.Scalars && HasLineVoxels(scene);
   const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
+  if (active.empty() && hasLines)
+  {
+    return; // a picture of the bricks' numbers would mean nothing
+  }
   if (active.empty())
   {
     this->Superclass::GPURender(renderer, volume);
     return;
   }
   this->Terms->Pass->Attach(scene, active);
-  this->Superclass::GPURender(renderer, volume);
+  if (hasLines)
+  {
+    this->RenderLines(renderer, volume);
+  }
+  else
+  {
+    this->Superclass::GPURender(renderer, volume);
+  }
   this->Terms->Pass->Detach();
+}
+
+//------------------------------------------------------------------------------
+// VTK would take its sample distance from the bricks, which are the image's cells.
+void vtkOpticsVolumeMapper::RenderLines(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->ComputeReductionFactor(volume->GetAllocatedRenderTime());
+  const double reduction = this->ReductionFactor;
+  const auto distance = static_cast<float>(this->GetFrameSampleDistance(volume));
+  const vtkTypeBool isAdjusted = this->AutoAdjustSampleDistances;
+  const vtkTypeBool isLocked = this->LockSampleDistanceToInputSpacing;
+  const float own = this->SampleDistance;
+  this->AutoAdjustSampleDistances = 0;
+  this->LockSampleDistanceToInputSpacing = 0;
+  this->SampleDistance = distance;
+  this->Superclass::GPURender(renderer, volume);
+  this->AutoAdjustSampleDistances = isAdjusted;
+  this->LockSampleDistanceToInputSpacing = isLocked;
+  this->SampleDistance = own;
+  this->ReductionFactor = reduction;
 }
 
 //------------------------------------------------------------------------------
@@ -230,6 +274,38 @@ void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputConnection(vtkAlgorithmOutput* output)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(output);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetLineBlockInputData(vtkImageData* voxels)
+{
+  this->Terms->Lines.BlockInput = FrameProvider::Connection(voxels);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+// Of the finer ones, where a block replaces lines.
+void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
+{
+  auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
+  volumeoptics::GetVoxelSpacing(image, spacing);
+  vtkImageData* block = volumeoptics::HoldsLineVoxels(image) ? this->Terms->Lines.GetBlock() : nullptr;
+  double ofBlock[3] = { spacing[0], spacing[1], spacing[2] };
+  if (block)
+  {
+    volumeoptics::GetVoxelSpacing(block, ofBlock);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = std::min(std::abs(spacing[axis]), std::abs(ofBlock[axis]));
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
 {
   return this->Terms->Frames.Provider.Sobel;
@@ -245,6 +321,12 @@ vtkAmbientCovarianceFilter* vtkOpticsVolumeMapper::GetAmbientCovarianceFilter()
 vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter()
 {
   return this->Terms->Frames.Provider.Curvature;
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilitySweep* vtkOpticsVolumeMapper::GetOcclusionSweep()
+{
+  return this->Terms->Occlusion.GetSweep();
 }
 
 //------------------------------------------------------------------------------
@@ -289,8 +371,14 @@ void vtkOpticsVolumeMapper::Say(const std::string& message)
 bool vtkOpticsVolumeMapper::IsInteractive(vtkRenderer* renderer)
 {
   vtkRenderWindowInteractor* interactor = renderer->GetRenderWindow()->GetInteractor();
-  return interactor && interactor->GetInteractorStyle() &&
-    renderer->GetRenderWindow()->GetDesiredUpdateRate() > interactor->GetStillUpdateRate();
+  if (!interactor || !interactor->GetInteractorStyle())
+  {
+    return false;
+  }
+  // still frames of ParaView have a rate of their own, above the interactor's
+  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
+  return rate > interactor->GetStillUpdateRate() &&
+    rate >= std::min(interactor->GetDesiredUpdateRate(), SlowestInteraction);
 }
 
 //------------------------------------------------------------------------------
@@ -311,6 +399,35 @@ bool vtkOpticsVolumeMapper::HasPartitions()
   }
   const auto& partitions = input->second.Texture->GetPartitions();
   return partitions[0] > 1 || partitions[1] > 1 || partitions[2] > 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetNumberOfBlocks()
+{
+  const auto& parts = this->AssembledInputs[0].Texture->GetPartitions();
+  return parts[0] * parts[1] * parts[2];
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkOpticsVolumeMapper::GetVolumeTexture()
+{
+  return this->AssembledInputs[0].Texture->GetCurrentBlock()->TextureObject;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetTextureToData(double matrix[16])
+{
+  vtkVolumeTexture* texture = this->AssembledInputs[0].Texture;
+  double pointToCell[16];
+  vtkMatrix4x4::Invert(texture->CellToPointMatrix->GetData(), pointToCell);
+  vtkMatrix4x4::Multiply4x4(texture->GetCurrentBlock()->TextureToDataset->GetData(), pointToCell, matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetAverageIPScalarRange(double range[2])
+{
+  this->Superclass::GetAverageIPScalarRange(range);
+  this->Terms->Pass->BeforeDraw();
 }
 
 //------------------------------------------------------------------------------

@@ -29,8 +29,10 @@
 #define vtkOpticsVolumeMapper_h
 
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkSmartPointer.h"       // for the lines' opacity function
 #include "vtkVolumeOpticsModule.h" // for export macro
 
+#include <map>    // for the lines' scales
 #include <memory> // for the implementation
 #include <string> // for the active terms
 
@@ -38,8 +40,11 @@ class vtkAlgorithmOutput;
 class vtkAmbientCovarianceFilter;
 class vtkImageData;
 class vtkOpticsVolumeProperty;
+class vtkPiecewiseFunction;
 class vtkPrincipalCurvatureFilter;
 class vtkSobelNormalFilter;
+class vtkTextureObject;
+class vtkVisibilitySweep;
 
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
@@ -212,6 +217,108 @@ public:
 
   ///@{
   /**
+   * Cells (froxels) on the longer side of the grid on which occlusion and shadows are found, in [1, 2048].
+   * Default 128. The grid has the shape of what the camera (or a light) sees of the volume.
+   */
+  vtkGetMacro(VisibilityGridSize, int);
+  void SetVisibilityGridSize(int froxels);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of the grid's slices, in sides of a froxel half-way through the volume; in [0.1, 10]. Default 1.
+   */
+  vtkGetMacro(VisibilitySliceDistance, double);
+  void SetVisibilitySliceDistance(double froxels);
+  ///@}
+
+  ///@{
+  /**
+   * vtkVisibilitySweep::NumberOfDirections of occlusion and of soft shadows: 4, 8 or 16. Default 8. Other
+   * numbers are refused with a warning.
+   */
+  vtkGetMacro(VisibilitySamples, int);
+  void SetVisibilitySamples(int directions);
+  ///@}
+
+  ///@{
+  /**
+   * vtkVisibilitySweep::Algorithm of occlusion and of soft shadows. Default DirectionSweep.
+   */
+  enum VisibilityAlgorithmType
+  {
+    DirectionSweep = 0,
+    Disk,
+    DiskSolidAngle
+  };
+  vtkGetMacro(VisibilityAlgorithm, int);
+  vtkSetClampMacro(VisibilityAlgorithm, int, DirectionSweep, DiskSolidAngle);
+  void SetVisibilityAlgorithmToDirectionSweep() { this->SetVisibilityAlgorithm(DirectionSweep); }
+  void SetVisibilityAlgorithmToDisk() { this->SetVisibilityAlgorithm(Disk); }
+  void SetVisibilityAlgorithmToDiskSolidAngle() { this->SetVisibilityAlgorithm(DiskSolidAngle); }
+  const char* GetVisibilityAlgorithmAsString();
+  ///@}
+
+  ///@{
+  /**
+   * vtkVisibilitySweep::DiskSize and TrueDistances of the two disks; in [1, 32] and default 5, default on.
+   */
+  vtkGetMacro(VisibilityDiskSize, int);
+  void SetVisibilityDiskSize(int size);
+  vtkGetMacro(VisibilityTrueDistances, bool);
+  vtkSetMacro(VisibilityTrueDistances, bool);
+  vtkBooleanMacro(VisibilityTrueDistances, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of the grid on the GPU: 8, 16 or 32 (float). Default 16. Other numbers are refused
+   * with a warning.
+   */
+  vtkGetMacro(VisibilityPrecision, int);
+  void SetVisibilityPrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
+   * Lines as anisotropic voxels: where the input is an image of vtkAnisotropicLineVoxelizer, it is drawn as
+   * lines, with any property. Factors of the radius, in [0, 1e6], and of the opacity, in [0, 1], of a line type.
+   * Default 1. Neither links nor uploads anything.
+   */
+  void SetLineRadiusScale(int type, double scale);
+  double GetLineRadiusScale(int type) const;
+  void SetLineOpacityScale(int type, double scale);
+  double GetLineOpacityScale(int type) const;
+  ///@}
+
+  ///@{
+  /**
+   * Maps the evaluated opacity of voxels of lines, in [0, 1], to the one that is drawn. Default none: as it is.
+   */
+  void SetLineOpacityFunction(vtkPiecewiseFunction* function);
+  vtkPiecewiseFunction* GetLineOpacityFunction() const;
+  ///@}
+
+  ///@{
+  /**
+   * Voxels of other lines, or finer ones of the same, that replace those of the input in their box, which lies within
+   * that of the input. Default none. Source: [Schussman2004] fig. 7.
+   */
+  void SetLineBlockInputConnection(vtkAlgorithmOutput* output);
+  void SetLineBlockInputData(vtkImageData* voxels);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each number of voxels of lines on the GPU: 16 or 32 (float). Default 16. Other numbers are refused with
+   * a warning.
+   */
+  vtkGetMacro(LinePrecision, int);
+  void SetLinePrecision(int bits);
+  ///@}
+
+  ///@{
+  /**
    * Whether rays skip what has no opacity. The picture does not change. Served by a grid of the scalars' ranges
    * (vtkMacrocellGrid), found once for the scalars, and used only where enough of the volume is empty; scenes
    * that it does not support (docs/support.md) are drawn without. Default on.
@@ -258,6 +365,12 @@ public:
    */
   void SetSampleDistance(float distance) override;
 
+  /**
+   * The sweep from the eye that Occlusion is found by: for what it counts and says of the last frame. Its
+   * parameters are the mapper's and the property's.
+   */
+  vtkVisibilitySweep* GetOcclusionSweep();
+
   /** Names of the terms in the last frame, separated by commas; empty: VTK's own picture. */
   std::string GetActiveTerms();
 
@@ -275,6 +388,10 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
+  using Superclass::GetAverageIPScalarRange;
+  /** As VTK's. VTK asks for it last of all before it draws a block of the volume: so the terms learn of it. */
+  void GetAverageIPScalarRange(double range[2]) override;
+
 #ifndef __VTK_WRAP__
   // For the terms.
   void Say(const std::string& message); // as a warning, once
@@ -282,6 +399,9 @@ public:
   void GetLoadedScalarRange(int component, double range[2]);
   bool HasPartitions();                             // of the loaded volume
   double GetFrameSampleDistance(vtkVolume* volume); // whatever VTK adjusts it to
+  int GetNumberOfBlocks();
+  vtkTextureObject* GetVolumeTexture();     // of the block that is drawn next
+  void GetTextureToData(double matrix[16]); // of its coordinates, row by row
 #endif
 
 protected:
@@ -295,6 +415,8 @@ private:
   void operator=(const vtkOpticsVolumeMapper&) = delete;
 
   void UpdateSampleDistance(vtkRenderer* renderer);
+  void RenderLines(vtkRenderer* renderer, vtkVolume* volume);
+  void GetVoxelSpacing(double spacing[3]);
   std::string FindMissing();
 
   double FrameResolutionFactor = 1.0;
@@ -305,7 +427,17 @@ private:
   int LightingTableSize = 256;
   int LightingSamples = Fetched;
   int PreIntegrationTableSize = 256;
+  int VisibilityGridSize = 128;
+  double VisibilitySliceDistance = 1.0;
+  int VisibilitySamples = 8;
+  int VisibilityAlgorithm = DirectionSweep;
+  int VisibilityDiskSize = 5;
+  bool VisibilityTrueDistances = true;
+  int VisibilityPrecision = 16;
   int TablePrecision = 32;
+  int LinePrecision = 16;
+  std::map<int, double> LineRadiusScales, LineOpacityScales;
+  vtkSmartPointer<vtkPiecewiseFunction> LineOpacityFunction;
   int Quality = Custom;
   bool SkipEmptySpace = true;
   int MacrocellSize = 8;

@@ -27,17 +27,33 @@ if (TARGET VolumeOptics::Python)
   set(volumeoptics_python "${Python3_EXECUTABLE}")
 endif ()
 
-add_test(NAME VolumeOpticsInstall
-  COMMAND "${CMAKE_COMMAND}"
-    -D "build=${CMAKE_BINARY_DIR}"
-    -D "source=${CMAKE_CURRENT_SOURCE_DIR}/Testing/Downstream"
-    -D "work=${CMAKE_BINARY_DIR}/Testing/Temporary/Downstream"
-    -D "generator=${CMAKE_GENERATOR}"
-    -D "flags=${volumeoptics_test_flags}"
-    -D "python=${volumeoptics_python}"
-    -D "preload=${volumeoptics_preload}"
-    -D "program=$<TARGET_FILE:VTKProgram>"
-    -P "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Downstream/Install.cmake")
-set_tests_properties(VolumeOpticsInstall PROPERTIES LABELS unit)
+# The install tree, and the package where Debian's tools are there.
+find_program(VOLUMEOPTICS_SHLIBDEPS dpkg-shlibdeps)
+mark_as_advanced(VOLUMEOPTICS_SHLIBDEPS)
+set(volumeoptics_install_tests Install)
+if (VOLUMEOPTICS_SHLIBDEPS AND NOT VOLUMEOPTICS_SANITIZE)
+  list(APPEND volumeoptics_install_tests Package)
+endif ()
+foreach (name IN LISTS volumeoptics_install_tests)
+  set(volumeoptics_package OFF)
+  if (name STREQUAL "Package")
+    set(volumeoptics_package ON)
+  endif ()
+  add_test(NAME "VolumeOptics${name}"
+    COMMAND "${CMAKE_COMMAND}"
+      -D "build=${CMAKE_BINARY_DIR}"
+      -D "package=${volumeoptics_package}"
+      -D "source=${CMAKE_CURRENT_SOURCE_DIR}/Testing/Downstream"
+      -D "work=${CMAKE_BINARY_DIR}/Testing/Temporary/${name}"
+      -D "generator=${CMAKE_GENERATOR}"
+      -D "flags=${volumeoptics_test_flags}"
+      -D "python=${volumeoptics_python}"
+      -D "preload=${volumeoptics_preload}"
+      -D "program=$<TARGET_FILE:VTKProgram>"
+      -P "${CMAKE_CURRENT_SOURCE_DIR}/Testing/Downstream/Install.cmake")
+  # Both write the build tree's list of installed files.
+  set_tests_properties("VolumeOptics${name}" PROPERTIES LABELS unit RESOURCE_LOCK install)
+endforeach ()
 
+add_subdirectory(Testing/Distributed)
 add_subdirectory(Testing/Benchmark)

@@ -4,13 +4,16 @@
 // volumeoptics gallery: all figures of the method on one page.
 
 #include "Commands.h"
+#include "GalleryField.h"
 #include "GalleryList.h"
 #include "ScoreScenes.h"
 #include "GalleryPage.h"
 #include "GalleryScores.h"
 #include "GalleryStudio.h"
 #include "Progress.h"
+#include "TracedPicture.h"
 #include "UserError.h"
+#include "VolumeScene.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -28,9 +31,12 @@ struct GalleryOptions
   bool WithoutScores = false;
   std::string Only; // part of the title; empty: all
   std::vector<std::string> ScoreRules = { "equal-size", "saturated" };
+  std::string TraceFolder; // empty: nothing is traced
   bool Headless = false;
   bool Force = false;
 };
+
+constexpr int TracedRays = 24; // from each of some dozens of samples of a pixel
 
 std::vector<GallerySection> ChosenSections(const GalleryOptions& options)
 {
@@ -57,6 +63,20 @@ std::size_t CountPictures(const std::vector<GallerySection>& sections)
   return count;
 }
 
+PictureResult ResultOf(const GalleryPicture& picture, bool hasScore, GalleryStudio& studio)
+{
+  if (picture.TracedAngle > 0.0)
+  {
+    return studio.Keep(picture.Name);
+  }
+  if (!picture.Lines.Source.empty())
+  {
+    return studio.DrawLines(picture.Name, picture.Lines, picture.Settings);
+  }
+  return hasScore ? studio.Draw(picture.Name, picture.Field, picture.Settings)
+                  : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
+}
+
 void DrawSections(GalleryContents& contents, GalleryStudio& studio)
 {
   Progress drawing("Pictures");
@@ -66,9 +86,7 @@ void DrawSections(GalleryContents& contents, GalleryStudio& studio)
     for (const GalleryPicture& picture : section.Pictures)
     {
       drawing.Update(contents.Results.size() / count, section.Title + ": " + picture.Title);
-      contents.Results[picture.Name] = section.HasScores
-        ? studio.Draw(picture.Name, picture.Field, picture.Settings)
-        : studio.DrawUnscored(picture.Name, picture.Field, picture.Settings);
+      contents.Results[picture.Name] = ResultOf(picture, section.HasScores, studio);
     }
     drawing.Line(section.Title);
   }
@@ -94,6 +112,26 @@ std::vector<ScoreRow> DrawScores(
   });
 }
 
+// The pictures that the gallery keeps, anew.
+void TracePictures(const GalleryOptions& options)
+{
+  std::filesystem::create_directories(options.TraceFolder);
+  for (const GallerySection& section : ChosenSections(options))
+  {
+    for (const GalleryPicture& picture : section.Pictures)
+    {
+      if (picture.TracedAngle > 0.0)
+      {
+        const Progress tracing("Tracing " + picture.Name);
+        VolumeScene scene(GalleryField(picture.Field, options.Cranium), OffScreenWindow(options.Headless));
+        scene.Apply(picture.Settings);
+        TracePicture(
+          scene, picture.TracedAngle, TracedRays, options.TraceFolder + "/" + picture.Name + ".png");
+      }
+    }
+  }
+}
+
 void MakeGallery(const GalleryOptions& options)
 {
   if (!options.WithoutCranium && !std::filesystem::exists(options.Cranium))
@@ -101,6 +139,11 @@ void MakeGallery(const GalleryOptions& options)
     throw UserError("The CT '" + options.Cranium +
       "' is not there. Install the package "
       "invesalius-examples, or give --cranium FILE or --without-cranium.");
+  }
+  if (!options.TraceFolder.empty())
+  {
+    TracePictures(options);
+    return;
   }
   GalleryStudio studio(options.Folder, options.Cranium, options.Headless, options.Force);
   GalleryContents contents;
@@ -138,6 +181,8 @@ void AddGalleryCommand(CLI::App& program)
     ->check(CLI::IsMember(ScoreRules()))
     ->capture_default_str();
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->add_option("--trace", options->TraceFolder,
+    "Write the pictures that are kept, not drawn, to this folder instead: minutes of rays in double");
   command->add_flag("--force", options->Force, "Draw also what was drawn with the same settings");
   command->callback([options] { MakeGallery(*options); });
 }

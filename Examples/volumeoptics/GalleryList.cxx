@@ -4,6 +4,7 @@
 #include "GalleryList.h"
 
 #include "GalleryLighting.h"
+#include "GalleryOcclusion.h"
 #include "GalleryScenes.h"
 
 #include <cstdio>
@@ -230,7 +231,8 @@ std::vector<GallerySection> GalleryList(bool withCranium)
   {
     sections.push_back(section);
   }
-  for (const auto& more : { IntegrationSections(withCranium), LightingSections(withCranium) })
+  for (const auto& more : { IntegrationSections(withCranium), LightingSections(withCranium),
+         OcclusionSections(withCranium), LineSections() })
   {
     sections.insert(sections.end(), more.begin(), more.end());
   }

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the gallery shows: sections of pictures, after the figures of [Ament2015] and [Kraus2005].
+// What the gallery shows: sections of pictures, after the figures of the papers.
 
 #ifndef GalleryList_h
 #define GalleryList_h
 
+#include "GalleryLines.h"
 #include "PictureSettings.h"
 
 #include <string>
@@ -17,7 +18,10 @@ struct GalleryPicture
   std::string Title; // above the numbers
   std::string Field; // see GalleryField()
   PictureSettings Settings;
-  std::string Caption = ""; // what to see; empty: the settings of the reflectance
+  std::string Caption = "";  // what to see; empty: the settings of the reflectance
+  double TracedAngle = -1.0; // above 0: a kept picture, traced by rays out of a cone of this half angle
+  std::string Caption = "";  // what to see; empty: the settings of the reflectance
+  LinePicture Lines = {};    // in place of the field, where it has a source
 };
 
 struct GallerySection

@@ -73,11 +73,15 @@ void PutPicture(std::ostream& page, const GalleryPicture& picture, const Picture
   page << "<figure><a href=\"" << result.File << "\"><img" << (isEnlarged ? " class=\"enlarged\"" : "")
        << " src=\"" << result.File << "\" alt=\"" << picture.Title
        << "\" loading=\"lazy\"></a>\n<figcaption><b>" << picture.Title << "</b>"
-       << (picture.Caption.empty() ? SettingsText(picture.Settings) : picture.Caption) << "<br>frame "
-       << TimeText(result.FrameSeconds);
+       << (picture.Caption.empty() ? SettingsText(picture.Settings) : picture.Caption);
+  if (result.FrameSeconds > 0.0)
+  {
+    page << "<br>frame " << TimeText(result.FrameSeconds);
+  }
   if (result.PreparationSeconds > 0.0)
   {
-    page << ", normals and covariance " << TimeText(result.PreparationSeconds);
+    page << (picture.Lines.Source.empty() ? ", normals and covariance " : ", voxels from lines ")
+         << TimeText(result.PreparationSeconds);
   }
   if (!result.Reference.empty())
   {
@@ -156,7 +160,7 @@ void WriteGalleryPage(const std::string& folder, const GalleryContents& contents
           "gallery</title>\n"
        << "<meta name=\"viewport\" content=\"width=device-width\">\n<style>" << Style
        << "</style></head><body>\n<h1>VolumeOptics</h1>\n<p>Optical models for volumes: anisotropic ambient "
-          "shading, and scale-invariant volume rendering. "
+          "shading, scale-invariant volume rendering, lighting transfer functions, directional occlusion. "
        << "Rendered on " << contents.Renderer << ".</p>\n<nav>";
   for (std::size_t i = 0; i < contents.Sections.size(); ++i)
   {

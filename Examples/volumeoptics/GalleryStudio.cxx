@@ -4,8 +4,10 @@
 #include "GalleryStudio.h"
 
 #include "GalleryField.h"
+#include "LineStudio.h"
 #include "VolumeScene.h"
 #include "StructuralScore.h"
+#include "TracedPicture.h"
 
 #include <cstdint>
 #include <cstdio>
@@ -90,15 +92,21 @@ PictureResult GalleryStudio::DrawUnscored(
   return this->DrawOnly("images/" + name + ".png", field, picture, Timed);
 }
 
+PictureResult GalleryStudio::Keep(const std::string& name)
+{
+  PictureResult result;
+  result.File = "images/" + name + ".png";
+  WriteTracedPicture(name, this->Folder + "/" + result.File);
+  return result;
+}
+
 PictureResult GalleryStudio::DrawOnly(
   const std::string& file, const std::string& field, const PictureSettings& picture, Timing timing)
 {
   const json key = KeyOf(field, picture);
-  const auto known = this->Known.find(file);
-  if (known != this->Known.end() && (*known)["settings"] == key &&
-    fs::exists(fs::path(this->Folder) / file) && (!this->Force || (*known).contains("thisRun")))
+  if (this->IsKnown(file, key))
   {
-    return (*known)["result"].get<PictureResult>();
+    return this->Known[file]["result"].get<PictureResult>();
   }
   VolumeScene& scene = this->Stage(field);
   scene.Apply(picture);
@@ -108,10 +116,46 @@ PictureResult GalleryStudio::DrawOnly(
   result.PreparationSeconds = scene.GetPreparationSeconds();
   result.FrameSeconds = timing == Timed ? scene.Render() : 0.0;
   scene.WritePng(this->Folder + "/" + file);
-  this->Known["renderer"] = { { "name", scene.GetRendererName() } };
+  this->Keep(file, key, result, scene.GetRendererName());
+  return result;
+}
+
+bool GalleryStudio::IsKnown(const std::string& file, const json& key) const
+{
+  const auto known = this->Known.find(file);
+  return known != this->Known.end() && (*known)["settings"] == key &&
+    fs::exists(fs::path(this->Folder) / file) && (!this->Force || (*known).contains("thisRun"));
+}
+
+void GalleryStudio::Keep(
+  const std::string& file, const json& key, const PictureResult& result, const std::string& renderer)
+{
+  this->Known["renderer"] = { { "name", renderer } };
   this->Known[file] = { { "settings", key }, { "result", result }, { "thisRun", true } };
   this->Remember();
   ++this->NumberOfPicturesDrawn;
+}
+
+PictureResult GalleryStudio::DrawLines(
+  const std::string& name, const LinePicture& lines, const PictureSettings& picture)
+{
+  const std::string file = "images/" + name + ".png";
+  const json key = { { "lines", lines }, { "picture", picture }, { "program", VOLUMEOPTICS_VERSION } };
+  if (this->IsKnown(file, key))
+  {
+    return this->Known[file]["result"].get<PictureResult>();
+  }
+  this->Staged.reset();
+  if (!this->Lines)
+  {
+    this->Lines = std::make_unique<LineStudio>(OffScreenWindow(this->Headless));
+  }
+  const LineStudio::Result drawn = this->Lines->Draw(lines, picture, this->Folder + "/" + file);
+  PictureResult result;
+  result.File = file;
+  result.PreparationSeconds = drawn.VoxelSeconds;
+  result.FrameSeconds = drawn.FrameSeconds;
+  this->Keep(file, key, result, drawn.Renderer);
   return result;
 }
 

@@ -6,12 +6,14 @@
 #ifndef GalleryStudio_h
 #define GalleryStudio_h
 
+#include "GalleryLines.h"
 #include "PictureSettings.h"
 #include "VolumeFile.h"
 
 #include <memory>
 #include <string>
 
+class LineStudio;
 class VolumeScene;
 
 struct PictureResult
@@ -43,6 +45,10 @@ public:
   // Without the reference, for pictures that the score says nothing about.
   PictureResult DrawUnscored(
     const std::string& name, const std::string& field, const PictureSettings& picture);
+  // A picture that was traced by rays and is kept with the program.
+  PictureResult Keep(const std::string& name);
+  // Lines, for which PreparationSeconds is the time to make their voxels.
+  PictureResult DrawLines(const std::string& name, const LinePicture& lines, const PictureSettings& picture);
   // OpenGL's name of the machine that drew the latest picture; remembered with the pictures.
   std::string GetRendererName() const;
   int GetNumberOfPicturesDrawn() const { return this->NumberOfPicturesDrawn; }
@@ -51,12 +57,16 @@ private:
   PictureResult DrawOnly(
     const std::string& file, const std::string& field, const PictureSettings& picture, Timing timing);
   VolumeScene& Stage(const std::string& field);
+  bool IsKnown(const std::string& file, const nlohmann::json& key) const;
+  void Keep(const std::string& file, const nlohmann::json& key, const PictureResult& result,
+    const std::string& renderer);
   void Remember();
 
   std::string Folder, CraniumFile;
   bool Headless, Force;
   std::string StagedField;
   std::unique_ptr<VolumeScene> Staged;
+  std::unique_ptr<LineStudio> Lines;
   nlohmann::json Known; // file -> { settings, result }
   int NumberOfPicturesDrawn = 0;
 };

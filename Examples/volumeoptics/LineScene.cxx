@@ -86,22 +86,51 @@ void SetUpVoxelizer(const LineSettings& settings, const LightSettings& light, co
 }
 
 // The camera follows from the bounds; then the evaluator can tell what it sees.
-LineScene::LineScene(vtkImageData* voxels, const PictureSettings& picture, WindowKind kind)
+LineScene::LineScene(
+  vtkImageData* voxels, const PictureSettings& picture, WindowKind kind, LineRenderer lineRenderer)
 {
   vtkNew<vtkCamera> camera;
   this->Evaluator->SetInputData(voxels);
   this->Evaluator->SetCamera(camera);
   this->Evaluator->SetOutputScalarType(VTK_UNSIGNED_SHORT);
-  this->Evaluator->Update();
   Volume volume;
   volume.Image = vtkSmartPointer<vtkImageData>::New();
-  volume.Image->ShallowCopy(this->Evaluator->GetOutput());
+  if (lineRenderer == LineRenderer::Mapper)
+  {
+    volume.Image->ShallowCopy(voxels);
+  }
+  else
+  {
+    this->Evaluator->Update();
+    volume.Image->ShallowCopy(this->Evaluator->GetOutput());
+  }
   this->Scene = std::make_unique<VolumeScene>(volume, kind);
   this->Scene->Apply(picture);
-  vtkRenderer* renderer = this->Scene->GetRenderer();
-  this->Evaluator->SetCamera(renderer->GetActiveCamera());
-  this->Scene->GetMapper()->SetInputConnection(this->Evaluator->GetOutputPort());
-  this->Evaluator->SetUpVolume(vtkVolume::SafeDownCast(renderer->GetVolumes()->GetItemAsObject(0)));
+  if (picture.Step <= 0.0)
+  {
+    // half an edge of a cubic voxel
+    this->Scene->GetMapper()->SetSampleDistance(
+      static_cast<float>(0.75 * vtkAnisotropicVoxelEvaluator::GetScalarOpacityUnitDistance(voxels)));
+  }
+  if (lineRenderer == LineRenderer::Evaluator)
+  {
+    vtkRenderer* renderer = this->Scene->GetRenderer();
+    this->Evaluator->SetCamera(renderer->GetActiveCamera());
+    this->Scene->GetMapper()->SetInputConnection(this->Evaluator->GetOutputPort());
+    this->Evaluator->SetUpVolume(vtkVolume::SafeDownCast(renderer->GetVolumes()->GetItemAsObject(0)));
+  }
+}
+
+void LineScene::SetRadiusScale(int type, double scale)
+{
+  this->Evaluator->SetRadiusScale(type, scale);
+  this->Scene->GetMapper()->SetLineRadiusScale(type, scale);
+}
+
+void LineScene::SetOpacityScale(int type, double scale)
+{
+  this->Evaluator->SetOpacityScale(type, scale);
+  this->Scene->GetMapper()->SetLineOpacityScale(type, scale);
 }
 
 double LineScene::Render()

@@ -26,7 +26,7 @@ struct LineSettings
   double Radius = -1.0; // below 0: a tenth of a voxel
   double RadiusScale = 1.0;
   double Tolerance = 1.0e-5;
-  bool ExactProduct = false;
+  bool ExactProduct = true;
   std::string ColorArray, RadiusArray;
   double Ambient = 0.15, Diffuse = 0.85, Specular = 0.3, SpecularPower = 32.0;
   double Color[3] = { 1.0, 1.0, 1.0 };
@@ -37,13 +37,23 @@ struct LineSettings
 void SetUpVoxelizer(const LineSettings& settings, const LightSettings& light, const double bounds[6],
   vtkAnisotropicLineVoxelizer* voxelizer);
 
+// What evaluates the voxels' harmonics: vtkOpticsVolumeMapper on the GPU, or vtkAnisotropicVoxelEvaluator.
+enum class LineRenderer
+{
+  Mapper,
+  Evaluator
+};
+
 // Draws voxels, an image of vtkAnisotropicLineVoxelizer.
 class LineScene
 {
 public:
-  LineScene(vtkImageData* voxels, const PictureSettings& picture, WindowKind kind);
+  LineScene(vtkImageData* voxels, const PictureSettings& picture, WindowKind kind,
+    LineRenderer renderer = LineRenderer::Mapper);
 
   vtkAnisotropicVoxelEvaluator* GetEvaluator() { return this->Evaluator; }
+  void SetRadiusScale(int type, double scale);
+  void SetOpacityScale(int type, double scale);
   VolumeScene& GetScene() { return *this->Scene; }
   // Seconds from the call to the finished frame, evaluation included.
   double Render();

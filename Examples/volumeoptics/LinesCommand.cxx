@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 namespace
@@ -36,6 +37,7 @@ struct LinesOptions : PictureOptions
   std::string ColorText = "white";
   std::vector<double> WorldLight;
   vtkIdType Spirals = 0;
+  LineRenderer Renderer = LineRenderer::Mapper;
 };
 
 template <class Reader>
@@ -164,8 +166,8 @@ void Draw(LinesOptions& options)
   {
     WriteVoxels(voxels, options.VoxelFile);
   }
-  LineScene scene(voxels, options.Picture, OffScreenWindow(options.Headless));
-  scene.GetEvaluator()->SetRadiusScale(0, options.Lines.RadiusScale);
+  LineScene scene(voxels, options.Picture, OffScreenWindow(options.Headless), options.Renderer);
+  scene.SetRadiusScale(0, options.Lines.RadiusScale);
   const double seconds = scene.Render();
   scene.GetScene().WritePng(options.Output);
   Progress::Say(options.Output + ": voxels of " + std::to_string(voxels->GetActualMemorySize() / 1024) +
@@ -238,6 +240,12 @@ void AddLinesCommand(CLI::App& program)
   const auto options = std::make_shared<LinesOptions>();
   CLI::App* command = program.add_subcommand("lines", "Draw lines as anisotropic voxels into a PNG file");
   command->add_option("FILE", options->File, "Lines: .vtp or .vtk with vtkPolyData; or voxels: .vti");
+  const std::map<std::string, LineRenderer> renderers = { { "mapper", LineRenderer::Mapper },
+    { "evaluator", LineRenderer::Evaluator } };
+  command
+    ->add_option("--renderer", options->Renderer,
+      "What evaluates the voxels: mapper (on the GPU, the default) or evaluator (a filter, for any mapper)")
+    ->transform(CLI::CheckedTransformer(renderers, CLI::ignore_case));
   command
     ->add_option("--spirals", options->Spirals, "Draw vortex spirals of so many segments instead of a file")
     ->check(CLI::PositiveNumber)

@@ -61,6 +61,19 @@ struct VisibilitySettings
   std::array<double, 3> AmbientColor = { 1.0, 1.0, 1.0 };
   bool Shadows = false;
   double ShadowAngle = 0.0; // degrees
+  // How it is found, unless the picture has a quality: see vtkOpticsVolumeMapper.
+  std::string Algorithm = "sweep"; // sweep, disk, disk-solid-angle
+  int GridSize = 128;
+  double SliceDistance = 1.0; // in sides of a froxel
+  int Samples = 8;            // directions
+  int DiskSize = 5;
+};
+
+// What is on the normal's side of the plane is kept.
+struct ClippingSettings
+{
+  std::array<double, 3> Normal = { 0.0, 0.0, 1.0 };
+  std::array<double, 3> Place = { 0.5, 0.5, 0.5 }; // in shares of the volume's bounds
 };
 
 struct PictureSettings
@@ -72,6 +85,7 @@ struct PictureSettings
   CameraSettings Camera;
   std::vector<LightSettings> Lights = { LightSettings{} };
   TransferFunction Function;
+  std::vector<ClippingSettings> ClippingPlanes;
   std::array<int, 2> Size = { 1024, 1024 };
   std::array<double, 3> Background = { 1.0, 1.0, 1.0 };
   double Step = 0.0; // world length; 0: half of the mean spacing
@@ -84,9 +98,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightingSettings, Function, Scale, StepLength, HybridNormals, Rules)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VisibilitySettings, OcclusionAngle, AmbientColor, Shadows, ShadowAngle)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VisibilitySettings, OcclusionAngle, AmbientColor, Shadows, ShadowAngle,
+  Algorithm, GridSize, SliceDistance, Samples, DiskSize)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClippingSettings, Normal, Place)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity, OneSided)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PictureSettings, Optics, Lighting, Visibility, Ambient, Camera, Lights,
-  Function, Size, Background, Step, Quality)
+  Function, ClippingPlanes, Size, Background, Step, Quality)
 
 #endif

@@ -10,6 +10,7 @@
 #include "TradeLines.h"
 #include "TradeShading.h"
 #include "TradeTable.h"
+#include "TradeVisibility.h"
 
 #include <memory>
 
@@ -93,7 +94,8 @@ void AddLines(CLI::App& trade)
   const auto options = std::make_shared<LinesTradeOptions>();
   CLI::App* command = trade.add_subcommand("lines",
     "Lines as anisotropic voxels: time, memory and PSNR against 10 x 10 supersampled tubes, by order, grid, "
-    "projection, tolerance and view directions (CSV and SVG)");
+    "projection, tolerance, opacity, storage and evaluation; storage by the number of segments (CSV and "
+    "SVG)");
   command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
   command->add_option("--segments", options->Segments, "Segments of the spirals")
     ->check(CLI::Range(1000, 100000000))
@@ -105,9 +107,38 @@ void AddLines(CLI::App& trade)
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   command->add_option("--knob", options->Knob, "Measure one setting alone")
-    ->check(CLI::IsMember({ "grid", "order", "tolerance", "projection", "opacity", "view directions" }));
+    ->check(CLI::IsMember(
+      { "segments", "grid", "order", "tolerance", "projection", "opacity", "storage", "evaluation" }));
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
   command->callback([options] { TradeLines(*options); });
+}
+
+void AddVisibility(CLI::App& trade)
+{
+  const auto options = std::make_shared<VisibilityTradeOptions>();
+  CLI::App* command = trade.add_subcommand("visibility",
+    "Directional occlusion against the cone integral by rays in double: by froxel size, slice distance, "
+    "directions, angle, algorithm and bits, with the time of a frame over that without (CSV, SVG and "
+    "figures)");
+  command->add_option("-o,--output", options->Folder, "Folder to write")->capture_default_str();
+  command->add_option("--field", options->Field, "What is drawn")
+    ->check(CLI::IsMember({ "marschner-lobb", "cranium" }))
+    ->capture_default_str();
+  command->add_option("--cranium", options->Cranium, "CT of the cranium (.inv3)");
+  command->add_option("--size", options->Size, "Width and height of the pictures that are compared")
+    ->check(CLI::Range(8, 512))
+    ->capture_default_str();
+  command->add_option("--frame-size", options->FrameSize, "Width and height of the frames that are timed")
+    ->check(CLI::Range(16, 4096))
+    ->capture_default_str();
+  command->add_option("--rays", options->Rays, "Rays of the truth, at each sample")
+    ->check(CLI::Range(4, 65536))
+    ->capture_default_str();
+  command->add_option("--part", options->Part, "The algorithms in double, the mapper's frames, or both")
+    ->check(CLI::IsMember({ "all", "algorithms", "frames" }))
+    ->capture_default_str();
+  command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");
+  command->callback([options] { TradeVisibility(*options); });
 }
 
 void AddTable(CLI::App& trade)
@@ -139,4 +170,5 @@ void AddTradeCommand(CLI::App& program)
   AddLighting(*trade);
   AddLines(*trade);
   AddTable(*trade);
+  AddVisibility(*trade);
 }

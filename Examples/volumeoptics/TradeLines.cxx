@@ -4,23 +4,19 @@
 #include "TradeLines.h"
 
 #include "CsvWriter.h"
+#include "FramePicture.h"
 #include "LineScene.h"
+#include "LineTubes.h"
 #include "Progress.h"
 #include "SvgPlot.h"
 
 #include "vtkAnalyticLineSource.h"
+#include "vtkOpticsVolumeMapper.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTubeFilter.h>
-#include <vtkVolume.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +25,15 @@
 
 namespace
 {
-const int Supersampling = 10;
-
 // Beside the knob that is turned.
 struct Setting
 {
   std::string Knob, Value;
   LineSettings Lines;
   int Directions = 0; // of the sampled projection
+  LineRenderer Renderer = LineRenderer::Mapper;
   bool PerBlock = false;
+  int Bits = 16;
 };
 
 LineSettings Spirals(double radius)
@@ -72,81 +68,19 @@ std::vector<Setting> Settings(double radius)
     settings.push_back({ "projection", directions == 0 ? "analytic" : std::to_string(directions),
       Spirals(radius), directions });
   }
-  settings.push_back({ "opacity", "exact product", Spirals(radius) });
-  settings.back().Lines.ExactProduct = true;
-  settings.push_back({ "view directions", "per block", Spirals(radius), 0, true });
+  settings.push_back({ "opacity", "product", Spirals(radius) });
+  settings.push_back({ "opacity", "thin lines", Spirals(radius) });
+  settings.back().Lines.ExactProduct = false;
+  for (int bits : { 16, 32 })
+  {
+    settings.push_back({ "storage", std::to_string(bits) + " bits", Spirals(radius) });
+    settings.back().Bits = bits;
+  }
+  settings.push_back({ "evaluation", "mapper, per voxel", Spirals(radius) });
+  settings.push_back({ "evaluation", "filter, per voxel", Spirals(radius), 0, LineRenderer::Evaluator });
+  settings.push_back(
+    { "evaluation", "filter, per block", Spirals(radius), 0, LineRenderer::Evaluator, true });
   return settings;
-}
-
-struct Picture
-{
-  int Width = 0, Height = 0;
-  std::vector<double> Values; // rgb
-};
-
-// Means of factor x factor pixels.
-Picture Reduced(const Picture& picture, int factor)
-{
-  Picture small{ picture.Width / factor, picture.Height / factor, {} };
-  small.Values.assign(3 * small.Width * small.Height, 0.0);
-  for (int y = 0; y < small.Height * factor; ++y)
-  {
-    for (int x = 0; x < small.Width * factor; ++x)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        small.Values[3 * (y / factor * small.Width + x / factor) + c] +=
-          picture.Values[3 * (y * picture.Width + x) + c] / (factor * factor);
-      }
-    }
-  }
-  return small;
-}
-
-Picture ToPicture(vtkImageData* image)
-{
-  const int* size = image->GetDimensions();
-  Picture picture{ size[0], size[1], {} };
-  const int components = image->GetNumberOfScalarComponents();
-  const auto* bytes = static_cast<const unsigned char*>(image->GetScalarPointer());
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-  {
-    picture.Values.insert(picture.Values.end(), bytes + i * components, bytes + i * components + 3);
-  }
-  return picture;
-}
-
-// Over the pixels that either picture covers; the background is black.
-double SignalToNoise(const Picture& a, const Picture& b)
-{
-  double sum = 0.0;
-  long long count = 0;
-  for (std::size_t i = 0; i < a.Values.size(); i += 3)
-  {
-    double square = 0.0, most = 0.0;
-    for (int c = 0; c < 3; ++c)
-    {
-      square += std::pow(a.Values[i + c] - b.Values[i + c], 2.0);
-      most = std::max(most, std::max(a.Values[i + c], b.Values[i + c]));
-    }
-    sum += most >= 0.5 ? square : 0.0;
-    count += most >= 0.5 ? 3 : 0;
-  }
-  return sum > 0.0 ? 10.0 * std::log10(255.0 * 255.0 * count / sum) : 99.0;
-}
-
-void WritePicture(const Picture& picture, const std::string& path)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.Width, picture.Height, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  std::transform(picture.Values.begin(), picture.Values.end(),
-    static_cast<unsigned char*>(image->GetScalarPointer()),
-    [](double value) { return static_cast<unsigned char>(std::lround(value)); });
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(image);
-  writer->Write();
 }
 
 double ProcessorSeconds()
@@ -165,40 +99,11 @@ PictureSettings MakePicture(int size)
   return picture;
 }
 
-// The scene of the voxels with tubes in the volume's place. VTK's lobe is Phong's: a fourth of Blinn's
-// exponent is as wide.
-Picture DrawTubes(vtkPolyData* lines, LineScene& scene, int size, double radius)
-{
-  const LineSettings settings = Spirals(radius);
-  vtkNew<vtkTubeFilter> tubes;
-  tubes->SetInputData(lines);
-  tubes->SetRadius(radius);
-  tubes->SetNumberOfSides(8);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(tubes->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(settings.Color[0], settings.Color[1], settings.Color[2]);
-  actor->GetProperty()->SetSpecularColor(1.0, 1.0, 1.0);
-  actor->GetProperty()->SetAmbient(settings.Ambient);
-  actor->GetProperty()->SetDiffuse(settings.Diffuse);
-  actor->GetProperty()->SetSpecular(settings.Specular);
-  actor->GetProperty()->SetSpecularPower(settings.SpecularPower / 4.0);
-  vtkRenderer* renderer = scene.GetScene().GetRenderer();
-  renderer->RemoveAllViewProps();
-  renderer->AddActor(actor);
-  scene.GetScene().GetWindow()->SetSize(size * Supersampling, size * Supersampling);
-  scene.Render();
-  Picture picture = Reduced(ToPicture(scene.GetScene().Capture()), Supersampling);
-  renderer->RemoveActor(actor);
-  return picture;
-}
-
 struct Result
 {
-  Picture Frame;
-  double VoxelizeSeconds = 0.0, EvaluateSeconds = 0.0, MiB = 0.0;
+  FramePicture Frame;
+  double VoxelizeSeconds = 0.0, FrameSeconds = 0.0;
+  double VoxelMiB = 0.0, MapperMiB = 0.0;
 };
 
 vtkSmartPointer<vtkImageData> Voxelize(vtkPolyData* lines, const Setting& setting)
@@ -221,36 +126,82 @@ Result Measure(vtkPolyData* lines, const Setting& setting, const LinesTradeOptio
   double start = ProcessorSeconds();
   const vtkSmartPointer<vtkImageData> voxels = Voxelize(lines, setting);
   result.VoxelizeSeconds = ProcessorSeconds() - start;
-  result.MiB = voxels->GetActualMemorySize() / 1024.0;
-  LineScene scene(voxels, MakePicture(options.Size), OffScreenWindow(options.Headless));
+  result.VoxelMiB = voxels->GetActualMemorySize() / 1024.0;
+  LineScene scene(voxels, MakePicture(options.Size), OffScreenWindow(options.Headless), setting.Renderer);
   scene.GetEvaluator()->SetViewDirections(setting.PerBlock);
+  scene.GetScene().GetMapper()->SetLinePrecision(setting.Bits);
+  vtkCamera* camera = scene.GetScene().GetRenderer()->GetActiveCamera();
+  camera->Azimuth(1.0);
+  scene.Render(); // compiles, uploads
+  camera->Azimuth(-1.0);
   start = ProcessorSeconds();
-  scene.GetEvaluator()->Update();
-  result.EvaluateSeconds = ProcessorSeconds() - start;
   scene.Render();
-  result.Frame = ToPicture(scene.GetScene().Capture());
+  result.FrameSeconds = ProcessorSeconds() - start;
+  result.MapperMiB = static_cast<double>(scene.GetScene().GetMapper()->GetTermMemorySize()) / 1024.0;
+  result.Frame = ToFramePicture(scene.GetScene().Capture());
   return result;
+}
+
+// Of the lines and of their voxels, as figure 8 of [Schussman2004].
+void TradeStorage(const LinesTradeOptions& options)
+{
+  CsvWriter csv(options.Folder + "/lines-storage.csv",
+    { "segments", "MiB of lines", "voxelize s", "MiB, order 2", "MiB, order 4", "MiB, order 8" });
+  Plot plot{ "Storage of lines and of voxels, 256 along the longest side", "segments", "MiB",
+    { { "lines", {} }, { "order 2", {} }, { "order 4", {} }, { "order 8", {} } } };
+  Progress measuring("Measuring storage");
+  for (int segments = 10000; segments <= 10000000; segments *= 10)
+  {
+    vtkNew<vtkAnalyticLineSource> source;
+    source->SetNumberOfSegments(segments);
+    source->Update();
+    double numbers[4] = { source->GetOutput()->GetActualMemorySize() / 1024.0 };
+    double seconds = 0.0;
+    for (int i = 1; i < 4; ++i)
+    {
+      Setting setting{ "", "", Spirals(options.Radius) };
+      setting.Lines.Order = 1 << i;
+      const double start = ProcessorSeconds();
+      numbers[i] = Voxelize(source->GetOutput(), setting)->GetActualMemorySize() / 1024.0;
+      seconds = i == 2 ? ProcessorSeconds() - start : seconds;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      plot.Series[i].Points.push_back({ 1.0 * segments, numbers[i], "" });
+    }
+    csv.Write(segments, numbers[0], seconds, numbers[1], numbers[2], numbers[3]);
+    measuring.Line(std::to_string(segments) + " segments");
+  }
+  WriteSvg(options.Folder + "/lines-storage.svg", plot);
 }
 }
 
 void TradeLines(const LinesTradeOptions& options)
 {
   std::filesystem::create_directories(options.Folder);
+  if (options.Knob.empty() || options.Knob == "segments")
+  {
+    TradeStorage(options);
+  }
+  if (options.Knob == "segments")
+  {
+    return;
+  }
   vtkNew<vtkAnalyticLineSource> source;
   source->SetNumberOfSegments(options.Segments);
   source->Update();
   vtkPolyData* lines = source->GetOutput();
   Setting first{ "", "", Spirals(options.Radius) };
-  Picture truth;
+  FramePicture truth;
   {
     const Progress tubes("Drawing tubes at 10 x 10 the resolution");
     LineScene scene(Voxelize(lines, first), MakePicture(options.Size), OffScreenWindow(options.Headless));
-    truth = DrawTubes(lines, scene, options.Size, options.Radius);
+    truth = DrawTubes(lines, Spirals(options.Radius), scene.GetScene()).Frame;
   }
-  WritePicture(truth, options.Folder + "/lines-tubes.png");
-  const Picture smallTruth = Reduced(truth, 2);
+  WritePng(truth, options.Folder + "/lines-tubes.png");
+  const FramePicture smallTruth = Reduced(truth, 2);
   CsvWriter csv(options.Folder + "/lines.csv",
-    { "knob", "value", "voxelize s", "evaluate s", "MiB", "PSNR dB", "PSNR of 2 x 2 dB" });
+    { "knob", "value", "voxelize s", "frame s", "MiB", "MiB of the mapper", "PSNR dB", "PSNR of 2 x 2 dB" });
   Plot plot{ "Spirals against tubes", "MiB", "PSNR of 2 x 2, dB", {} };
   plot.LogarithmicY = false;
   Progress measuring("Measuring");
@@ -263,17 +214,17 @@ void TradeLines(const LinesTradeOptions& options)
     const Result result = Measure(lines, setting, options);
     const double raw = SignalToNoise(truth, result.Frame);
     const double reduced = SignalToNoise(smallTruth, Reduced(result.Frame, 2));
-    csv.Write(
-      setting.Knob, setting.Value, result.VoxelizeSeconds, result.EvaluateSeconds, result.MiB, raw, reduced);
+    csv.Write(setting.Knob, setting.Value, result.VoxelizeSeconds, result.FrameSeconds, result.VoxelMiB,
+      result.MapperMiB, raw, reduced);
     measuring.Line(setting.Knob + " " + setting.Value);
     if (plot.Series.empty() || plot.Series.back().Name != setting.Knob)
     {
       plot.Series.push_back({ setting.Knob, {} });
     }
-    plot.Series.back().Points.push_back({ result.MiB, reduced, setting.Value });
+    plot.Series.back().Points.push_back({ result.VoxelMiB, reduced, setting.Value });
     if (setting.Knob == "grid" && setting.Value == "256")
     {
-      WritePicture(result.Frame, options.Folder + "/lines-voxels.png");
+      WritePng(result.Frame, options.Folder + "/lines-voxels.png");
     }
   }
   WriteSvg(options.Folder + "/lines.svg", plot);

@@ -19,7 +19,7 @@ struct LinesTradeOptions
   bool Headless = false;
 };
 
-// Writes lines.csv, lines.svg, and the pictures lines-tubes.png and lines-voxels.png.
+// Writes lines.csv, lines.svg, lines-storage.csv, lines-storage.svg, and the pictures lines-tubes.png and lines-voxels.png.
 void TradeLines(const LinesTradeOptions& options);
 
 #endif

@@ -18,6 +18,7 @@
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkPNGWriter.h>
+#include <vtkPlane.h>
 #include <vtkProjectedTetrahedraMapper.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -114,6 +115,7 @@ void VolumeScene::Apply(const PictureSettings& picture)
   this->ApplyOptics(picture.Optics);
   ::Apply(picture.Lighting, this->Property);
   this->ApplyVisibility(picture.Visibility);
+  this->ApplyClipping(picture.ClippingPlanes);
   this->ApplyAmbient(picture.Ambient);
   this->ApplyQuality(picture.Quality);
   this->Mapper->SetSampleDistance(
@@ -176,6 +178,31 @@ void VolumeScene::ApplyVisibility(const VisibilitySettings& visibility)
   this->Property->SetAmbientColor(visibility.AmbientColor.data());
   this->Property->SetShadows(visibility.Shadows);
   this->Property->SetShadowAngle(visibility.ShadowAngle);
+  static const std::map<std::string, int> algorithms = { { "sweep", vtkOpticsVolumeMapper::DirectionSweep },
+    { "disk", vtkOpticsVolumeMapper::Disk }, { "disk-solid-angle", vtkOpticsVolumeMapper::DiskSolidAngle } };
+  this->Mapper->SetVisibilityAlgorithm(algorithms.at(visibility.Algorithm));
+  this->Mapper->SetVisibilityGridSize(visibility.GridSize);
+  this->Mapper->SetVisibilitySliceDistance(visibility.SliceDistance);
+  this->Mapper->SetVisibilitySamples(visibility.Samples);
+  this->Mapper->SetVisibilityDiskSize(visibility.DiskSize);
+}
+
+void VolumeScene::ApplyClipping(const std::vector<ClippingSettings>& planes)
+{
+  this->Mapper->RemoveAllClippingPlanes();
+  const double* bounds = this->Data.Image->GetBounds();
+  for (const ClippingSettings& settings : planes)
+  {
+    double origin[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      origin[axis] = bounds[2 * axis] + settings.Place[axis] * (bounds[2 * axis + 1] - bounds[2 * axis]);
+    }
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(origin);
+    plane->SetNormal(settings.Normal.data());
+    this->Mapper->AddClippingPlane(plane);
+  }
 }
 
 void VolumeScene::ApplyAmbient(const AmbientSettings& ambient)

@@ -65,6 +65,7 @@ private:
   void ApplyMapper(const IntegrationSettings& integration);
   void ApplyOptics(const OpticsSettings& optics);
   void ApplyVisibility(const VisibilitySettings& visibility);
+  void ApplyClipping(const std::vector<ClippingSettings>& planes);
   void ApplyAmbient(const AmbientSettings& ambient);
   void ApplyQuality(const std::string& quality);
   void ApplyCamera(const CameraSettings& camera);

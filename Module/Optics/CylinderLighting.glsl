@@ -140,6 +140,20 @@ float DepthOfVisibleArea(float area, float surface)
   return 4.0 * area / surface;
 }
 
+// Mean over all directions of -ln(1 - q sine), the depth of a cylinder that covers the share q of a box's
+// mean cross section from the side, [Schussman2004] eq. 7. q in [0, 1]. In closed form; below 0.1, where
+// that would cancel, the series of the sine's moments.
+float MeanDepthOfShare(float q)
+{
+  if (q < 0.1)
+  {
+    return q * (0.78539816339744830962 + q * (0.33333333333333333333 + q * (0.19634954084936207740 +
+      q * (0.13333333333333333333 + q * (0.09817477042468103870 + q * 0.07619047619047619048)))));
+  }
+  float across = sqrt(1.0 - q * q);
+  return 1.0 + (QuarterTurn - across * (QuarterTurn + asin(q))) / q;
+}
+
 // Least and largest depth that segments can have in a direction V, told from the parts of degree 0 and
 // 2 of their depth's series, evaluated at V. With Q = sum q_i and m = sum q_i (V.T_i)^2 / Q the depth
 // sum q_i sqrt(1 - (V.T_i)^2) is in [Q (1 - m), Q sqrt(1 - m)]: sine >= its square, and Jensen's

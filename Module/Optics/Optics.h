@@ -36,6 +36,7 @@ using namespace glm;
 #include "SphericalHarmonics.glsl"
 #include "CylinderLighting.glsl"
 #include "Visibility.glsl"
+#include "LineVoxel.glsl"
 #undef float
 }
 }

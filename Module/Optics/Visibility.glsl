@@ -73,3 +73,26 @@ vec2 PlaceOnSlice(vec2 place, vec2 slope, float sliceDistance, float width, floa
 {
   return (place * width + slope * sliceDistance) / otherWidth;
 }
+
+// What the points of a stretch of the ray see through it, on average, each as much as the eye sees of it:
+// int_0^1 exp(-x s) exp(-x r s) x ds / (1 - exp(-x)) for the depth x and the relative length r. opacity in
+// [0, 1] of the stretch; relativeLength >= 0 of the way out to that along the ray. 1 without opacity, and
+// 1/(1 + r) of an opaque stretch: its points see the half of what they would without it at r = 1.
+float StretchVisibility(float opacity, float relativeLength)
+{
+  float depth = opacity < 1.0 ? OpticalDepth(opacity) : LargestDepth;
+  float whole = 1.0 + relativeLength;
+  return opacity > 0.0 ? OneMinusExp(min(depth * whole, LargestDepth)) / (whole * opacity) : 1.0;
+}
+
+// The relative length at which StretchVisibility() of an opaque stretch is the mean over a cone of what it is at
+// 1/cosine: of c/(1 + c), int_a^1 c/(1 + c) dc/(1 - a) = 1 + ln((1 + a)/2)/(1 - a). coneCosine a in (0, 1]; 1 at 1,
+// and rising as the cone opens.
+float MeanWayOut(float coneCosine)
+{
+  float versine = 1.0 - coneCosine;
+  float series = 1.0 / 2.0 +
+    versine * (1.0 / 8.0 + versine * (1.0 / 24.0 + versine * (1.0 / 64.0 + versine * (1.0 / 160.0 + versine / 384.0))));
+  float hidden = versine < 0.1 ? series : -log(1.0 - versine / 2.0) / versine;
+  return hidden / (1.0 - hidden);
+}

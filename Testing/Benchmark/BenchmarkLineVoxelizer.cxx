@@ -89,7 +89,8 @@ int main(int argc, char* argv[])
   Register("Headlight/Analytic/256/order4/20k", { 20000 });
   Register("Headlight/Sampled128/256/order4/20k", { 20000, 256, 4, 128 });
   Register("Headlight/Sampled512/256/order4/20k", { 20000, 256, 4, 512 });
-  Register("World/Analytic/256/order4/1M", { 1000000, 256, 4, 0, true });
+  Register("World/Analytic/256/order4/1M/2threads", { 1000000, 256, 4, 0, true });
+  Register("World/Analytic/256/order4/10M/2threads", { 10000000, 256, 4, 0, true });
   for (int order : { 0, 2, 8, 12 })
   {
     Register("Headlight/Analytic/128/order" + std::to_string(order) + "/1M", { 1000000, 128, order });

@@ -43,6 +43,7 @@ public:
     this->AddHybridSides();
     this->AddLines();
     this->AddVisibility();
+    this->AddLineVoxels();
   }
 
   std::vector<FunctionCase> Cases;
@@ -469,6 +470,7 @@ private:
         }
       }
       this->Add(49, std::cos(angle));
+      this->Add(55, std::cos(angle));
     }
     this->AddSlices();
   }
@@ -482,6 +484,7 @@ private:
       for (double length : { 0.0, 1e-6, 0.5, 1.0, 5.76, 1e6 })
       {
         this->Add(50, opacity, length);
+        this->Add(54, opacity, length);
       }
     }
     for (double scale : { 1e-6, 1.0, 1e6 })
@@ -494,6 +497,38 @@ private:
         c.Major = glm::vec3(5.0 * this->Random.OnSphere());
         c.P = glm::vec3(scale * (1.0 - nearness), scale, scale * nearness);
         this->Cases.push_back(c);
+      }
+    }
+  }
+
+  void AddLineVoxels()
+  {
+    FunctionCase c;
+    for (double degree0 : { -1.0, 0.0, 1e-12, 0.5, 100.0 })
+    {
+      for (double share : { -0.2, 0.0, 0.01, 0.7, 1.3 })
+      {
+        for (double degree2 : { -0.6, 0.0, 0.3 })
+        {
+          for (double opacityScale : { 0.0, 0.25, 0.9, 1.0 })
+          {
+            c.Function = 52;
+            c.Normal = glm::vec3(0.1 * share * degree0, 0.0, 0.0);
+            c.Major = glm::vec3(share < 0.5 ? 1.0 : 3.0, opacityScale, 0.0);
+            c.P = glm::vec3(share * degree0, degree0, degree2 * degree0);
+            this->Cases.push_back(c);
+          }
+        }
+        c.Function = 53;
+        c.Normal = glm::vec3(0.3, 0.5, 3.0) * float(share * degree0);
+        c.ToLight = glm::vec3(0.4, 0.6, 0.2) * float(degree0);
+        c.ToViewer = glm::vec3(0.1, 0.1, 0.1);
+        c.Major = glm::vec3(1.0, 0.45, 1.0);
+        c.P = glm::vec3(share * degree0, degree0, 0.0);
+        if (degree0 > 0.0)
+        {
+          this->Cases.push_back(c);
+        }
       }
     }
   }

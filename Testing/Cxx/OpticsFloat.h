@@ -37,6 +37,7 @@ using namespace glm;
 #include "OpticsFloat/SphericalHarmonics.glsl"
 #include "OpticsFloat/CylinderLighting.glsl"
 #include "OpticsFloat/Visibility.glsl"
+#include "OpticsFloat/LineVoxel.glsl"
 #include "OpticsFloat/OpticsTable.glsl"
 }
 }

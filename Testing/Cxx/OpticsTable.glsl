@@ -268,6 +268,22 @@ vec4 EvaluateVisibility(int function, FunctionInput i)
   return TwoNumbers(PlaceOnSlice(place, vec2(i.major.x, i.major.y), i.p.x, i.p.y, i.p.z)); // 51
 }
 
+// Depths and scales; light, its mean, least and largest colour.
+vec4 EvaluateLineVoxel(int function, FunctionInput i)
+{
+  if (function == 52)
+  {
+    return OneNumber(DepthOfLines(i.p.x, i.normal.x, i.p.y, i.p.z, i.major.x, i.major.y));
+  }
+  vec3 color = ColorOfLines(i.normal, i.p.x, i.toLight, i.p.y, i.toViewer, i.major); // 53
+  return vec4(color.x, color.y, color.z, 0.0);
+}
+
+vec4 EvaluateOwnVisibility(int function, FunctionInput i)
+{
+  return OneNumber(function == 54 ? StretchVisibility(i.p.x, i.p.y) : MeanWayOut(i.p.x)); // 54, 55
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
@@ -290,5 +306,13 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateScalarPair(function, i);
   }
-  return function < 46 ? EvaluateLines(function, i) : EvaluateVisibility(function, i);
+  if (function < 46)
+  {
+    return EvaluateLines(function, i);
+  }
+  if (function < 52)
+  {
+    return EvaluateVisibility(function, i);
+  }
+  return function < 54 ? EvaluateLineVoxel(function, i) : EvaluateOwnVisibility(function, i);
 }

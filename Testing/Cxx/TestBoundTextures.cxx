@@ -183,7 +183,8 @@ struct ModelRow
   int Textures; // of the term, beside VTK's
 };
 
-// Normals and the scalar's opacities; an anisotropic model has the frames, too.
+// Normals and the scalar's opacities; an anisotropic model has the frames, too. A sweep along eight directions
+// reads two textures, and then the picture reads what it found.
 const ModelRow Models[] = {
   { "None", [](TestScene& scene) { scene.Property->SetReflectanceModelToNone(); }, 0 },
   { "Blinn-Phong", [](TestScene& scene) { scene.Property->SetReflectanceModelToBlinnPhong(); }, 2 },
@@ -194,6 +195,7 @@ const ModelRow Models[] = {
       scene.Optics->GetAmbientCovarianceFilter()->SetStorageToWorld();
     },
     4 },
+  { "occlusion", [](TestScene& scene) { scene.Property->OcclusionOn(); }, 2 },
 };
 
 // A term that was there and is switched off holds no texture unit.

@@ -134,6 +134,14 @@ void CheckDepthBounds(Check& check)
     check.AtLeast("depth", depth, bounds.x - 1e-9);
     check.AtMost("depth", depth, bounds.y + 1e-6); // the root of a rounding
   }
+  for (double q : { 1e-6, 0.03, 0.0999, 0.1, 0.3, 0.7, 0.99 })
+  {
+    const double mean = Integrate(
+      [&](double angle) { return -std::log1p(-q * std::sin(angle)) * std::sin(angle); }, 0.0, HalfTurn / 2.0);
+    // the series ends at q^6: 1e-7 at q = 0.1; the logarithm's slope near 1 is hard for the quadrature
+    check.Near("mean depth of a share", optics::MeanDepthOfShare(q), mean, (q < 0.9 ? 1.1e-7 : 1e-6) * mean);
+  }
+  check.Near("all of a box", optics::MeanDepthOfShare(1.0), 1.0 + HalfTurn / 2.0, Rounding);
   check.Near("depth of an area", optics::DepthOfVisibleArea(0.3, 6.0), 0.2, Rounding);
 }
 }

@@ -5,6 +5,7 @@
 // once, an abort leaves an empty output.
 
 #include "LineTesting.h"
+#include "Optics.h"
 
 #include "vtkAnalyticLineSource.h"
 #include "vtkCamera.h"
@@ -128,7 +129,8 @@ void CheckRadii(Check& check)
   voxelizer->Update();
   check.That(messages.Has("1 have a radius above"), "a radius above the voxel's edge is said");
   const double depth = lines::Look(voxelizer->GetOutput(), { 0.0, 0.0, 1.0 }).Depth;
-  check.Near("taken as the edge", depth, 2.0 * 0.6 / 1.5, 0.03);
+  const double share = 2.0 * 0.6 / 1.5;
+  check.Near("taken as the edge", depth, optics::MeanDepthOfShare(share) / (TwoPi / 8.0), 0.03);
 }
 
 void CheckSettings(Check& check)

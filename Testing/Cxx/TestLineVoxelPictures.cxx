@@ -5,6 +5,7 @@
 // dark rim, per block as per voxel, transfer function and scales.
 
 #include "LineTesting.h"
+#include "Optics.h"
 
 #include "vtkAnalyticLineSource.h"
 #include "vtkCamera.h"
@@ -66,6 +67,9 @@ glm::dvec3 PixelAt(const std::vector<unsigned char>& pixels, int x, int y)
   return glm::dvec3(pixel[0], pixel[1], pixel[2]) / 255.0;
 }
 
+// Of a voxel that is crossed along an edge, 1.5 times its mean chord, with .2 of its face covered.
+const double Depth = 1.5 * optics::MeanDepthOfShare(0.2 / 1.5) / (TwoPi / 8.0);
+
 // Lines along x, one in each voxel of a slab n voxels thick, on white: of the light behind, exp(-sum tau)
 // comes through.
 void CheckOpacity(Check& check)
@@ -101,8 +105,7 @@ void CheckOpacity(Check& check)
     scene.Evaluator->SetOutputScalarType(type);
     scene.Renderer->ResetCameraClippingRange();
     const glm::dvec3 middle = PixelAt(scene.Render(), 75, 75);
-    // six voxels, .2 of the cross section each; opacity as of thin lines, not 1 - .2
-    const double through = std::exp(-6.0 * 0.2);
+    const double through = std::exp(-6.0 * Depth);
     check.Near("red", middle.x, 1.0, 0.01);
     check.Near("green: what comes through", middle.y, through, 0.02);
     // towards the rims it must be red over white everywhere: nothing darker
@@ -116,14 +119,14 @@ void CheckOpacity(Check& check)
   }
   scene.MarksRange = true;
   const auto marked = scene.Render();
-  check.Near("marked range", PixelAt(marked, 75, 60).y, std::exp(-6.0 * 0.2), 0.03);
+  check.Near("marked range", PixelAt(marked, 75, 60).y, std::exp(-6.0 * Depth), 0.03);
   scene.MarksRange = false;
   scene.Evaluator->SetRadiusScale(0, 2.0);
-  check.Near("radius scale", PixelAt(scene.Render(), 75, 75).y, std::exp(-12.0 * 0.2), 0.02);
+  check.Near("radius scale", PixelAt(scene.Render(), 75, 75).y, std::exp(-12.0 * Depth), 0.02);
   scene.Evaluator->SetRadiusScale(0, 1.0);
   scene.Evaluator->SetOpacityScale(0, 0.5);
   check.Near("opacity scale", PixelAt(scene.Render(), 75, 75).y,
-    std::pow(1.0 - 0.5 * (1.0 - std::exp(-0.2 / 1.5)), 6.0 * 1.5), 0.02);
+    std::pow(1.0 - 0.5 * (1.0 - std::exp(-Depth / 1.5)), 6.0 * 1.5), 0.02);
   scene.Evaluator->SetOpacityScale(0, 1.0);
   vtkNew<vtkPiecewiseFunction> none;
   none->AddPoint(0.0, 0.0);

@@ -37,6 +37,7 @@ void CheckLengths(Check& check)
     voxelizer->SetSampleDimensions(size.x, size.y, size.z);
     voxelizer->SetModelBounds(-1.0, 2.0, 0.0, 1.0, 0.0, 0.5);
     voxelizer->SetRadius(1e-4);
+    voxelizer->ExactProductOff();
     voxelizer->SetMaximumOrder(2);
     std::vector<lines::Line> all;
     double length = 0.0;

@@ -44,9 +44,9 @@ std::string FragmentShader()
 {
   const std::string optics = VOLUMEOPTICS_OPTICS_FOLDER "/";
   std::string text = "//VTK::System::Dec\n//VTK::Output::Dec\n";
-  for (const char* file :
-    { "PhaseFunction", "Opacity", "DataSpace", "AnisotropyFrame", "Reflectance", "SoftRange",
-      "MultiSampleRule", "HybridNormal", "SphericalHarmonics", "CylinderLighting", "Visibility" })
+  for (const char* file : { "PhaseFunction", "Opacity", "DataSpace", "AnisotropyFrame", "Reflectance",
+         "SoftRange", "MultiSampleRule", "HybridNormal", "SphericalHarmonics", "CylinderLighting",
+         "Visibility", "LineVoxel" })
   {
     text += ReadText(optics + file + ".glsl");
   }

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The composed text of combinations of model, storage, gradient, lights and opacity, and of integral,
-// silhouette, isosurfaces, components and model, passes the reference compiler of GLSL, which is stricter than
+// silhouette, isosurfaces, components and model, and of lines, passes the reference compiler of GLSL, which is stricter than
 // a driver.
 
+#include "LineTermScene.h"
 #include "ShaderText.h"
 #include "SupportedSettings.h"
 #include "TetrahedraScene.h"
 
 #include "vtkAmbientCovarianceFilter.h"
+#include "vtkVisibilitySweep.h"
 #include "vtkLight.h"
 
 #include <fstream>
@@ -201,6 +203,61 @@ void ValidateLighting(Check& check, Validation& validation)
   }
 }
 
+// Occlusion on each kind of opacity, with and without Shade: the ray's text and the sweep's own.
+void ValidateOcclusion(Check& check, Validation& validation)
+{
+  Choices kinds = Gradients;
+  kinds.insert(kinds.end(), Integrals.begin(), Integrals.end());
+  for (const Row& row : Rows)
+  {
+    for (const char* name :
+      { "cropping", "clipping planes", "2D transfer function", "binary mask", "label map" })
+    {
+      if (row.Name == std::string(name))
+      {
+        kinds.push_back({ row.Name, row.Apply });
+      }
+    }
+  }
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+  {
+    TestScene scene;
+    scene.Window->SetSize(8, 8);
+    scene.Source->SetDimensions(8, 8, 8);
+    const ShaderText shader(scene.Mapper);
+    kinds[i].Apply(scene);
+    scene.Property->OcclusionOn();
+    scene.Property->SetShade(i % 2 == 0);
+    scene.Optics->SetVisibilitySamples(4 << (i % 3));
+    scene.Optics->SetVisibilityAlgorithm(i % 4 == 3 ? 1 : 0);
+    if (scene.Property->GetIntegrationSpace() == vtkOpticsVolumeProperty::Data)
+    {
+      scene.Property->AddIsosurface(0.5, 0.5);
+    }
+    scene.Render();
+    scene.Render();
+    const std::string name = "Occlusion-" + std::to_string(i);
+    validation.Add(check, name, shader.Text);
+    validation.Add(check, name + "-sweep", scene.Optics->GetOcclusionSweep()->GetFragmentShader());
+  }
+}
+
+// Lines, with and without a block, cropped and not.
+void ValidateLines(Check& check, Validation& validation)
+{
+  const auto voxels = Spirals(8, 8, 8, 0, false, 100);
+  for (int settings = 0; settings < 4; ++settings)
+  {
+    LineTermScene scene(voxels, 8);
+    const ShaderText shader(scene.Mapper);
+    scene.Mapper->SetLineBlockInputData(settings % 2 == 1 ? voxels.GetPointer() : nullptr);
+    scene.Mapper->SetCropping(settings / 2);
+    scene.Render();
+    scene.Render();
+    validation.Add(check, "Lines-" + std::to_string(settings), shader.Text);
+  }
+}
+
 // Projected tetrahedra: every silhouette, with and without isosurfaces.
 void ValidateTetrahedra(Check& check, Validation& validation)
 {
@@ -229,6 +286,8 @@ int TestShaderValidity(int, char*[])
   Check check;
   Validation validation;
   ValidateLighting(check, validation);
+  ValidateOcclusion(check, validation);
+  ValidateLines(check, validation);
   ValidateTetrahedra(check, validation);
   ValidateAll(check, validation, { Models, Storages, Gradients, Lights });
   ValidateAll(check, validation, { Integrals, Silhouettes, Surfaces, ModelsOfIntegrals });

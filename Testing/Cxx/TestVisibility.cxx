@@ -105,6 +105,35 @@ void CheckTransmittance(Check& check)
   check.Near("far", optics::StretchTransmittance(0.5, 1e30), 0.0, 0.0);
 }
 
+// Against sums over the stretch and over the cone.
+void CheckOwnVisibility(Check& check)
+{
+  check.Near("nothing there", optics::StretchVisibility(0.0, 3.0), 1.0, 0.0);
+  check.Near("opaque", optics::StretchVisibility(1.0, 1.0), 0.5, Rounding);
+  check.Near("no way out", optics::StretchVisibility(0.6, 0.0), 1.0, Rounding);
+  const int parts = 20000;
+  for (const double opacity : { 1.0e-6, 0.005, 0.3, 0.99 })
+  {
+    const double depth = -std::log1p(-opacity);
+    double sum = 0.0;
+    for (int i = 0; i < parts; ++i)
+    {
+      sum += std::exp(-depth * (i + 0.5) / parts * (1.0 + 1.7)) * depth / parts;
+    }
+    check.Near("a stretch", optics::StretchVisibility(opacity, 1.7), sum / opacity, 1.0e-7);
+  }
+  for (const double cosine : { 0.1736, 0.5, 0.9, 0.95, 0.999 })
+  {
+    double sum = 0.0;
+    for (int i = 0; i < parts; ++i)
+    {
+      sum += optics::StretchVisibility(1.0, 1.0 / (cosine + (1.0 - cosine) * (i + 0.5) / parts)) / parts;
+    }
+    check.Near("a cone", optics::StretchVisibility(1.0, optics::MeanWayOut(cosine)), sum, 1.0e-8);
+  }
+  check.Near("no cone", optics::MeanWayOut(1.0), 1.0, 0.0);
+}
+
 void CheckPlaces(Check& check)
 {
   const glm::dvec2 place(0.25, -0.5), slope(2.0, 1.0);
@@ -129,6 +158,7 @@ int TestVisibility(int, char*[])
   CheckBalance(check);
   CheckDisk(check);
   CheckTransmittance(check);
+  CheckOwnVisibility(check);
   CheckPlaces(check);
   return check.ExitCode();
 }

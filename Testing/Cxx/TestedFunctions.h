@@ -193,6 +193,18 @@ const std::vector<TestedFunction>& TestedFunctions()
           c.P.z;
       },
       3.0, 8.0 },
+    // depth and bounds as above, times the radius; -ln(1 - s (1 - exp(-x))) takes the rounding of what is left of 1
+    { "DepthOfLines",
+      [](const FunctionCase& c, const glm::dvec4& value) {
+        const double bounds = 10.0 * std::max(double(c.P.y), 0.0) + std::abs(double(c.Normal.x));
+        const double left = c.Major.y < 1.0f ? std::max(1.0 - double(c.Major.y), std::exp(-value.x)) : 1.0;
+        return bounds * c.Major.x + 1.0 / left * (value.x > 0.0 ? 1.0 : 0.0);
+      },
+      4.0, 16.0 },
+    { "ColorOfLines", relative, 4.0, 8.0 },
+    { "StretchVisibility", one, 40.0, 160.0 },
+    // the logarithm of a number next to 1, at least 0.05 away
+    { "MeanWayOut", one, 40.0, 80.0 },
   };
   return functions;
 }

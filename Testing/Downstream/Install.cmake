@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Installs the build tree, moves the install tree, and uses it there: from CMake projects, by the
-# program, from Python, and as a plugin. Run by CTest as
+# program, from Python, and as a plugin. With -D package=ON the tree is that of the Debian package,
+# unpacked. Run by CTest as
 #   cmake -D build=... -D source=... -D work=... (Testing/Standalone.cmake) -P Install.cmake
 
 function (run)
@@ -14,11 +15,33 @@ function (run)
   endif ()
 endfunction ()
 
+# The package names what it needs, and its tree is <work>/package/usr.
+function (unpack_package)
+  run(cpack --config "${build}/CPackConfig.cmake" -G DEB -B "${work}")
+  file(GLOB packages "${work}/*.deb")
+  foreach (field IN ITEMS "Package: volumeoptics" "Section: science" "Depends: .*libvtk9"
+      "Description: optical models" "Maintainer: VolumeOptics")
+    execute_process(COMMAND dpkg-deb --field ${packages} OUTPUT_VARIABLE fields)
+    if (NOT "\n${fields}" MATCHES "\n${field}")
+      message(FATAL_ERROR "The package has no field ${field}:\n${fields}")
+    endif ()
+  endforeach ()
+  run(dpkg-deb --extract ${packages} "${work}/package")
+  if (NOT EXISTS "${work}/package/usr/share/doc/volumeoptics/copyright")
+    message(FATAL_ERROR "The package has no licence.")
+  endif ()
+endfunction ()
+
 set(prefix "${work}/moved prefix")
 file(REMOVE_RECURSE "${work}")
 file(MAKE_DIRECTORY "${work}")
-run("${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/prefix")
-file(RENAME "${work}/prefix" "${prefix}")
+if (package)
+  unpack_package()
+  file(RENAME "${work}/package/usr" "${prefix}")
+else ()
+  run("${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/prefix")
+  file(RENAME "${work}/prefix" "${prefix}")
+endif ()
 
 run("${CMAKE_COMMAND}" -S "${source}" -B "${work}/build" -G "${generator}"
   "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_BUILD_TYPE=Release" "-DCMAKE_CXX_FLAGS=${flags}")
@@ -43,6 +66,11 @@ if (python)
   endif ()
   run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_dir}" ${sanitizer}
     "${python}" "${source}/downstream.py" "${prefix}")
+  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${python_dir}" ${sanitizer}
+    "${python}" "${source}/../../Examples/python/render_ellipsoid.py" "${work}/python.png")
+  if (NOT EXISTS "${work}/python.png")
+    message(FATAL_ERROR "The example in Examples/python wrote no picture.")
+  endif ()
 endif ()
 run("${CMAKE_COMMAND}" -E env "VTK_AUTOLOAD_PATH=${plugin_dir}"
   "${program}" vtkOpticsVolumeMapper render)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace reference
 {
@@ -21,8 +22,8 @@ namespace
 constexpr double TwoPi = 6.283185307179586;
 // A face belongs to the volume, whatever rounding says.
 constexpr double Slack = 1.0e-9;
-// Nothing of a ray is left to be seen.
-constexpr double OpaqueEnough = 30.0;
+// Of a ray 6e-6 is left.
+constexpr double OpaqueEnough = 12.0;
 
 // The splitmix64 generator: the same numbers everywhere, and for any number of threads.
 class RandomNumbers
@@ -45,6 +46,19 @@ public:
 private:
   std::uint64_t State;
 };
+
+// Of a point, by the bits of its coordinates.
+std::uint64_t NumberOf(const Vector& point)
+{
+  std::uint64_t number = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &point[axis], sizeof(bits));
+    number = (number ^ bits) * 0x100000001B3ULL;
+  }
+  return number;
+}
 
 struct Basis
 {
@@ -118,8 +132,7 @@ double Occluders::ExtinctionAt(const Vector& point) const
 }
 
 //------------------------------------------------------------------------------
-double Occluders::DepthByPoints(
-  const Vector& origin, const Vector& direction, const Interval& inside) const
+double Occluders::DepthByPoints(const Vector& origin, const Vector& direction, const Interval& inside) const
 {
   const double length = inside.exit - inside.entry;
   const int steps = std::max(1, static_cast<int>(std::ceil(length / this->Unlit.step)));
@@ -163,18 +176,18 @@ std::vector<Vector> ConeDirections(const Vector& axis, const ConeRays& rays, std
     const double versine = coneVersine * (i + random.Next()) / rays.count;
     const double sine = std::sqrt(std::max(versine * (2.0 - versine), 0.0));
     const double azimuth = turn + i * (TwoPi * 0.6180339887498949);
-    directions.push_back((1.0 - versine) * axis +
-      sine * (std::cos(azimuth) * basis.first + std::sin(azimuth) * basis.second));
+    directions.push_back(
+      (1.0 - versine) * axis + sine * (std::cos(azimuth) * basis.first + std::sin(azimuth) * basis.second));
   }
   return directions;
 }
 
 //------------------------------------------------------------------------------
-double ConeVisibility(const Occluders& occluders, const Vector& point, const Vector& axis,
-  const ConeRays& rays, std::uint64_t pointNumber)
+double ConeVisibility(
+  const Occluders& occluders, const Vector& point, const Vector& axis, const ConeRays& rays)
 {
   double sum = 0.0;
-  for (const Vector& direction : ConeDirections(axis, rays, pointNumber))
+  for (const Vector& direction : ConeDirections(axis, rays, NumberOf(point)))
   {
     sum += occluders.Transmittance(point, direction);
   }
@@ -197,15 +210,14 @@ std::vector<ShownPoint> ShownPoints(const Scene& scene, double leastWeight)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> VisibilityAt(const Occluders& occluders, const std::vector<ShownPoint>& points,
-  const ConeRays& rays, const Vector* axis)
+std::vector<double> VisibilityAt(
+  const Occluders& occluders, const std::vector<ShownPoint>& points, const ConeRays& rays, const Vector* axis)
 {
   std::vector<double> values(points.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(points.size()), 64, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      values[i] =
-        ConeVisibility(occluders, points[i].position, axis ? *axis : points[i].toViewer, rays, i);
+      values[i] = ConeVisibility(occluders, points[i].position, axis ? *axis : points[i].toViewer, rays);
     }
   });
   return values;
@@ -229,8 +241,8 @@ std::vector<double> MeanOfPixels(
 }
 
 //------------------------------------------------------------------------------
-VisibilityError CompareVisibility(const std::vector<ShownPoint>& points, const std::vector<double>& values,
-  const std::vector<double>& truth)
+VisibilityError CompareVisibility(
+  const std::vector<ShownPoint>& points, const std::vector<double>& values, const std::vector<double>& truth)
 {
   VisibilityError error;
   double weights = 0.0;

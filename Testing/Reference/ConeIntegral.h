@@ -45,9 +45,10 @@ struct ConeRays
 // spread evenly from a random one on. The same for the same seed and point number.
 std::vector<Vector> ConeDirections(const Vector& axis, const ConeRays& rays, std::uint64_t pointNumber);
 
-// Mean transmittance over the cone about a unit axis.
+// Mean transmittance over the cone about a unit axis. The rays depend on the point alone, so that any number
+// of threads gives the same.
 double ConeVisibility(
-  const Occluders& occluders, const Vector& point, const Vector& axis, const ConeRays& rays, std::uint64_t pointNumber);
+  const Occluders& occluders, const Vector& point, const Vector& axis, const ConeRays& rays);
 
 // A sample of the picture, with its share of the pixel's opacity.
 struct ShownPoint
@@ -77,8 +78,8 @@ struct VisibilityError
   double maximum = 0.0;
   double bias = 0.0; // mean of the error with its sign
 };
-VisibilityError CompareVisibility(const std::vector<ShownPoint>& points, const std::vector<double>& values,
-  const std::vector<double>& truth);
+VisibilityError CompareVisibility(
+  const std::vector<ShownPoint>& points, const std::vector<double>& values, const std::vector<double>& truth);
 }
 
 #endif

@@ -96,6 +96,17 @@ SliceFrame FrameOfCamera(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
+std::array<int, 3> FroxelsOf(const SliceFrame& frame, int size, double sliceDistance)
+{
+  const glm::dvec2 sides = frame.highest - frame.lowest;
+  const double froxel = std::max(sides.x, sides.y) / size;
+  const double side = froxel * frame.WidthAt(0.5 * (frame.front + frame.back));
+  const auto whole = [](double number) { return std::max(1, static_cast<int>(std::ceil(number - 1.0e-6))); };
+  return { whole(sides.x / froxel), whole(sides.y / froxel),
+    whole((frame.back - frame.front) / (sliceDistance * side)) };
+}
+
+//------------------------------------------------------------------------------
 struct FroxelSweep::Channel
 {
   optics::ConeRay ray;
@@ -144,8 +155,7 @@ double FroxelSweep::DistanceOf(int slice) const
 //------------------------------------------------------------------------------
 glm::dvec2 FroxelSweep::PlaceOf(int column, int row) const
 {
-  const glm::dvec2 share(
-    (column + 0.5) / this->Settings.froxels[0], (row + 0.5) / this->Settings.froxels[1]);
+  const glm::dvec2 share((column + 0.5) / this->Settings.froxels[0], (row + 0.5) / this->Settings.froxels[1]);
   return this->Frame.lowest + share * (this->Frame.highest - this->Frame.lowest);
 }
 
@@ -211,12 +221,13 @@ void FroxelSweep::SweepRow(int slice, int row, const std::vector<double>& depths
       const double arriving = slice == 0 ? 1.0 : this->Fetch(former[isDirections ? i : 0], formerPlace);
       const bool isOblique = isDirections || this->Settings.trueDistances;
       const double length = isOblique ? std::sqrt(1.0 + glm::dot(slope, slope)) : 1.0;
-      visibility += channels[i].weight * arriving * std::exp(-0.5 * depth * length);
+      const double own = this->Settings.own == OwnOpacity::HalfSlice ? 0.5 * depth * length : 0.0;
+      visibility += channels[i].weight * arriving * std::exp(-own);
       const double leaving = arriving * std::exp(-depth * length);
       passed += channels[i].weight * leaving;
       next[isDirections ? i : 0][froxel] = isDirections ? leaving : passed;
     }
-    if (!this->Settings.attenuatesItself)
+    if (this->Settings.own == OwnOpacity::None)
     {
       visibility = slice == 0 ? 1.0 : former[0][froxel];
     }
@@ -225,8 +236,7 @@ void FroxelSweep::SweepRow(int slice, int row, const std::vector<double>& depths
 }
 
 //------------------------------------------------------------------------------
-FroxelSweep::FroxelSweep(
-  const Occluders& occluders, const SliceFrame& frame, const SweepSettings& settings)
+FroxelSweep::FroxelSweep(const Occluders& occluders, const SliceFrame& frame, const SweepSettings& settings)
   : Frame(frame)
   , Settings(settings)
 {
@@ -260,7 +270,8 @@ double FroxelSweep::At(const Vector& point) const
   const Vector place = this->Frame.ToPlace(point);
   const glm::dvec2 share =
     (glm::dvec2(place) - this->Frame.lowest) / (this->Frame.highest - this->Frame.lowest);
-  const double along = (place.z - this->Frame.front) / (this->Frame.back - this->Frame.front);
+  const double ahead = this->Settings.own == OwnOpacity::AlongRay ? 0.5 * this->SliceDistance() : 0.0;
+  const double along = (place.z - ahead - this->Frame.front) / (this->Frame.back - this->Frame.front);
   const std::array<double, 3> shares = { share.x, share.y, along };
   std::array<int, 3> low, high;
   std::array<double, 3> rest;
@@ -289,14 +300,22 @@ double FroxelSweep::At(const Vector& point) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> FroxelSweep::At(const std::vector<ShownPoint>& points) const
+std::vector<double> FroxelSweep::At(const Occluders& occluders, const std::vector<ShownPoint>& points) const
 {
-  std::vector<double> values;
-  values.reserve(points.size());
-  for (const ShownPoint& point : points)
-  {
-    values.push_back(this->At(point.position));
-  }
+  const double wayOut = optics::MeanWayOut(std::cos(glm::radians(this->Settings.angle)));
+  std::vector<double> values(points.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const ShownPoint& point = points[i];
+      values[i] = this->At(point.position);
+      if (this->Settings.own == OwnOpacity::AlongRay)
+      {
+        const double length = this->SliceDistance() / -glm::dot(point.toViewer, this->Frame.away);
+        values[i] *= std::pow(occluders.Transmittance(point.position, point.toViewer, length), wayOut);
+      }
+    }
+  });
   return values;
 }
 }

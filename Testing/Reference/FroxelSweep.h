@@ -38,28 +38,40 @@ struct SliceFrame
 // the volume: as wide as the window.
 SliceFrame FrameOfCamera(const Scene& scene);
 
+// Columns, rows and slices of a grid with so many froxels along its longer side, whose slices are apart by
+// sliceDistance sides of a froxel half-way through.
+std::array<int, 3> FroxelsOf(const SliceFrame& frame, int size, double sliceDistance);
+
 enum class SweepAlgorithm
 {
-  Directions = 0,   // fixed ones of equal solid angle
-  Disk,             // [Schott2009]: the mean over the cone's base
-  DiskBySolidAngle  // weighted by the solid angle of the base's pieces
+  Directions = 0,  // fixed ones of equal solid angle
+  Disk,            // [Schott2009]: the mean over the cone's base
+  DiskBySolidAngle // weighted by the solid angle of the base's pieces
 };
 
 // What the cone's axis is, in perspective. A direction's rays are straight in both.
 enum class SweepAxis
 {
   SliceNormal = 0, // the same for all pixels: parallel rays
-  Eye              // rays of a direction meet in one point on the eye's plane: exact on one slice, the middle one
+  Eye // rays of a direction meet in one point on the eye's plane: exact on one slice, the middle one
+};
+
+// What of its own slice takes light from a sample.
+enum class OwnOpacity
+{
+  None = 0,  // as published: too bright by a slice
+  HalfSlice, // known at the froxels
+  AlongRay   // what the eye's ray meets from the slice in front on, as the mapper takes it
 };
 
 struct SweepSettings
 {
   SweepAlgorithm algorithm = SweepAlgorithm::Directions;
   SweepAxis axis = SweepAxis::SliceNormal;
-  double angle = 60.0;          // half angle in degrees
-  int samples = 8;              // directions, or points along a side of the disk's grid
-  bool trueDistances = true;    // of the disk: Algorithm 2, else 3
-  bool attenuatesItself = true; // a sample by half of its own slice; false: as published
+  double angle = 60.0;       // half angle in degrees
+  int samples = 8;           // directions, or points along a side of the disk's grid
+  bool trueDistances = true; // of the disk: Algorithm 2, else 3
+  OwnOpacity own = OwnOpacity::HalfSlice;
   std::array<int, 3> froxels = { 64, 64, 64 }; // columns, rows, slices
 };
 
@@ -72,22 +84,21 @@ public:
   double Value(int column, int row, int slice) const
   {
     return this->Values[(static_cast<std::size_t>(slice) * this->Settings.froxels[1] + row) *
-        this->Settings.froxels[0] + column];
+        this->Settings.froxels[0] +
+      column];
   }
   Vector Center(int column, int row, int slice) const;
-  // Interpolated between the centres of froxels, as a linear texture that is clamped to its edge.
+  // Interpolated between the centres of froxels, as a linear texture that is clamped to its edge; with
+  // OwnOpacity::AlongRay what reaches the slice in front.
   double At(const Vector& point) const;
-  std::vector<double> At(const std::vector<ShownPoint>& points) const;
+  std::vector<double> At(const Occluders& occluders, const std::vector<ShownPoint>& points) const;
 
 private:
   struct Channel;
   using Layer = std::vector<double>; // of one channel
 
   std::vector<Channel> ChannelsOf() const;
-  double SliceDistance() const
-  {
-    return (this->Frame.back - this->Frame.front) / this->Settings.froxels[2];
-  }
+  double SliceDistance() const { return (this->Frame.back - this->Frame.front) / this->Settings.froxels[2]; }
   double DistanceOf(int slice) const;
   glm::dvec2 PlaceOf(int column, int row) const;
   double Fetch(const Layer& layer, const glm::dvec2& place) const;

@@ -61,6 +61,7 @@ Light LightOf(vtkLight* source, const glm::dmat4& worldToDataset)
   Light light;
   light.positional = source->GetPositional() != 0;
   light.headlight = source->LightTypeIsHeadlight() != 0;
+  light.shadowAttenuation = source->GetShadowAttenuation();
   light.ambient = scaled(source->GetAmbientColor());
   light.diffuse = scaled(source->GetDiffuseColor());
   light.specular = scaled(source->GetSpecularColor());

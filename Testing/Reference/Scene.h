@@ -87,6 +87,7 @@ struct Light
   double coneAngle = 180.0;                 // half angle in degrees; above 90 there is no cone
   double exponent = 1.0;
   Vector attenuation = Vector(1.0, 0.0, 0.0); // constant, linear, quadratic; per world length
+  double shadowAttenuation = 1.0;             // of its light, in a full shadow
   Vector ambient = Vector(0.0);               // colours times intensity
   Vector diffuse = Vector(1.0);
   Vector specular = Vector(1.0);

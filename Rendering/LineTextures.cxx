@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "LineTextures.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtk_glew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+using volumeoptics::LineCoefficients;
+using volumeoptics::LineVoxels;
+
+namespace
+{
+constexpr int Depth = 3; // the channel
+constexpr int Product = 4;
+
+// The largest of what is stored in 16 bits, a quarter of what these can hold.
+const float LargestStored = 16384.0F;
+
+float LargestOf(const LineCoefficients& set)
+{
+  float largest = 0.0F;
+  for (vtkTypeInt64 i = 0; i < set.GetNumberOfCoefficients() * set.Channels; ++i)
+  {
+    largest = std::isfinite(set.Values[i]) ? std::max(largest, std::abs(set.Values[i])) : largest;
+  }
+  return largest > 0.0F ? largest : 1.0F;
+}
+
+float Finite(float value)
+{
+  return std::isfinite(value) ? value : 0.0F;
+}
+
+template <class Value>
+void AppendTexel(std::vector<float>& texels, const Value* values, int count, float scale)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    texels.push_back(Finite(values[i]) / scale);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string LineTextures::Upload(vtkImageData* image, int bits, vtkOpenGLRenderWindow* window)
+{
+  this->Release(window);
+  std::string error;
+  const LineVoxels voxels(image, error);
+  if (!error.empty())
+  {
+    return "The input holds " + error + ". Connect the output of vtkAnisotropicLineVoxelizer.";
+  }
+  this->Grid = voxels.Grid;
+  this->MaximumOrder = voxels.MaximumOrder;
+  error = this->CheckSizes(voxels, window);
+  if (!error.empty())
+  {
+    return error;
+  }
+  LineAtlas atlas(voxels);
+  error = this->CheckAtlas(atlas, window);
+  if (error.empty() && !atlas.Voxels.empty())
+  {
+    this->ReadTypes(voxels, bits);
+    this->UploadAtlas(atlas, window);
+    this->UploadCoefficients(voxels, bits, window);
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string LineTextures::CheckSizes(const LineVoxels& voxels, vtkOpenGLRenderWindow* window) const
+{
+  const long long largest = vtkTextureObject::GetMaximumTextureSize(window);
+  const int largest3D = vtkTextureObject::GetMaximumTextureSize3D(window) * LineAtlas::Brick;
+  const int largestGrid = std::min(largest3D, 65535);
+  const glm::ivec3 size = this->Grid.Dimensions;
+  if (std::max({ size.x, size.y, size.z }) > largestGrid)
+  {
+    return "The anisotropic voxels are more than the " + std::to_string(largestGrid) +
+      " on an axis that this OpenGL can draw. Lower SampleDimensions.";
+  }
+  vtkTypeInt64 coefficients = 0;
+  for (const LineCoefficients& set : voxels.Types)
+  {
+    coefficients += set.GetNumberOfCoefficients();
+  }
+  if (coefficients > std::min(largest * largest, static_cast<long long>(VTK_INT_MAX)))
+  {
+    return "The anisotropic voxels have " + std::to_string(coefficients) +
+      " coefficients, more than a texture of " + std::to_string(largest) + " x " + std::to_string(largest) +
+      " holds. Raise CoefficientTolerance, lower MaximumOrder or SampleDimensions, or draw by "
+      "vtkAnisotropicVoxelEvaluator.";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string LineTextures::CheckAtlas(const LineAtlas& atlas, vtkOpenGLRenderWindow* window) const
+{
+  const int largest = vtkTextureObject::GetMaximumTextureSize(window);
+  return std::max(atlas.Size.x, atlas.Size.y) <= std::min(largest, LineAtlas::NoTile - 1)
+    ? ""
+    : "The " + std::to_string(atlas.Voxels.size()) + " occupied anisotropic voxels need a texture of " +
+      std::to_string(atlas.Size.x) + " x " + std::to_string(atlas.Size.y) + ", but this OpenGL has at most " +
+      std::to_string(largest) +
+      " on an axis. Lower SampleDimensions, or draw by vtkAnisotropicVoxelEvaluator.";
+}
+
+//------------------------------------------------------------------------------
+template <class Value>
+void LineTextures::UploadList(
+  TermTexture& texture, std::vector<Value>& values, const Format& format, vtkOpenGLRenderWindow* window)
+{
+  const long long texels = std::max<long long>(values.size() / format.Channels, 1);
+  const int largest = vtkTextureObject::GetMaximumTextureSize(window);
+  int width = 1;
+  while (width < largest && static_cast<long long>(width) * width < texels)
+  {
+    width *= 2;
+  }
+  const long long height = (texels + width - 1) / width;
+  values.resize(static_cast<std::size_t>(width * height * format.Channels));
+  texture.Renew(window);
+  texture->SetInternalFormat(format.Internal);
+  texture->SetFormat(format.External);
+  texture->SetDataType(format.Number);
+  texture->Create2DFromRaw(
+    width, static_cast<unsigned int>(height), format.Channels, format.VTKType, values.data());
+  this->MemorySize += static_cast<std::size_t>(width * height * format.Bytes);
+}
+
+//------------------------------------------------------------------------------
+void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
+{
+  this->AtlasSize = atlas.Size;
+  this->NumberOfVoxels = static_cast<int>(atlas.Voxels.size());
+  this->NumberOfPoints = static_cast<int>(atlas.Points.size());
+  this->Bricks.Renew(window);
+  this->Bricks->SetInternalFormat(GL_RG16UI);
+  this->Bricks->SetFormat(GL_RG_INTEGER);
+  this->Bricks->SetDataType(GL_UNSIGNED_SHORT);
+  this->Bricks->Create3DFromRaw(
+    atlas.Bricks.x, atlas.Bricks.y, atlas.Bricks.z, 2, VTK_UNSIGNED_SHORT, atlas.Tiles.data());
+  this->MemorySize += sizeof(std::uint16_t) * atlas.Tiles.size();
+
+  std::vector<std::int32_t> points;
+  for (const LineAtlas::Point& point : atlas.Points)
+  {
+    points.insert(points.end(), { point.Texel, point.Voxel });
+  }
+  std::vector<std::uint16_t> voxels;
+  for (const auto& voxel : atlas.Voxels)
+  {
+    voxels.insert(voxels.end(), voxel.begin(), voxel.end());
+  }
+  this->UploadList(this->Points, points, { GL_RG32I, GL_RG_INTEGER, GL_INT, 2, VTK_INT, 8 }, window);
+  this->UploadList(this->Voxels, voxels,
+    { GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, 4, VTK_UNSIGNED_SHORT, 8 }, window);
+  this->UploadList(this->Starts, atlas.Starts, { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 }, window);
+}
+
+//------------------------------------------------------------------------------
+void LineTextures::ReadTypes(const LineVoxels& voxels, int bits)
+{
+  this->Types.clear();
+  this->HasProduct = false;
+  for (const LineCoefficients& set : voxels.Types)
+  {
+    const float scale = bits == 32 ? 1.0F : LargestOf(set) / LargestStored;
+    this->Types.push_back({ set.Type, scale, glm::vec3(set.LeastColor), glm::vec3(set.LargestColor) });
+    this->HasProduct = this->HasProduct || set.Channels > Product;
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpenGLRenderWindow* window)
+{
+  std::vector<float> texels, products;
+  std::vector<std::uint8_t> harmonics;
+  for (std::size_t t = 0; t < this->Types.size(); ++t)
+  {
+    const LineCoefficients& set = voxels.Types[t];
+    const vtkTypeInt64 count = set.GetNumberOfCoefficients();
+    harmonics.insert(harmonics.end(), set.Harmonics, set.Harmonics + count);
+    for (vtkTypeInt64 i = 0; i < count; ++i)
+    {
+      const float* values = set.Values + i * set.Channels;
+      AppendTexel(texels, values, Depth + 1, this->Types[t].Scale);
+      if (this->HasProduct)
+      {
+        AppendTexel(products, values + std::min(set.Channels - 1, Product), 1, this->Types[t].Scale);
+      }
+    }
+  }
+  const bool isHalf = bits == 16;
+  const auto format = [isHalf](
+                        int half, int full) { return static_cast<unsigned int>(isHalf ? half : full); };
+  this->UploadList(this->Harmonics, harmonics,
+    { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
+  this->UploadList(this->Coefficients, texels,
+    { format(GL_RGBA16F, GL_RGBA32F), GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, bits / 2 }, window);
+  if (this->HasProduct)
+  {
+    this->UploadList(this->Products, products,
+      { format(GL_R16F, GL_R32F), GL_RED, GL_FLOAT, 1, VTK_FLOAT, bits / 8 }, window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LineTextures::Release(vtkWindow* window)
+{
+  for (TermTexture* texture : { &this->Bricks, &this->Points, &this->Voxels, &this->Starts, &this->Harmonics,
+         &this->Coefficients, &this->Products })
+  {
+    texture->Release(window);
+  }
+  this->MemorySize = 0;
+  this->AtlasSize = glm::ivec2(0);
+}

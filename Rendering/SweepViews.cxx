@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "SweepViews.h"
+
+#include "SceneNeeds.h"
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTextureUnitManager.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+namespace
+{
+using F = OpticsFeature;
+
+// OpenGL looks along -z.
+void SetWorldToView(vtkMatrix4x4* worldToEye, double worldToView[16])
+{
+  std::copy(worldToEye->GetData(), worldToEye->GetData() + 16, worldToView);
+  for (int i = 8; i < 12; ++i)
+  {
+    worldToView[i] = -worldToView[i];
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void AddSweepFeatures(const OpticsScene& scene, OpticsFeatures& features)
+{
+  for (const F feature :
+    { F::VisibilitySweep, F::OpacityFormulas, F::DataSpaceFormulas, F::VisibilityFormulas })
+  {
+    features.Add(feature);
+  }
+  features.Add(scene.Mapper->GetClippingPlanes() ? F::SweepClipping : F::SweepClippingNone);
+  if (NeedsFrames(scene))
+  {
+    features.Add(F::SweepFrame);
+  }
+  if (ReplacesIntegral(scene))
+  {
+    features.Add(F::SweepOfSegment);
+    features.Add(IntegratesInData(scene) ? F::SweepInData : F::SweepInSpace);
+    features.Add(HasIsosurfaces(scene) ? F::SweepIsosurfaces : F::SweepIsosurfacesNone);
+  }
+  else
+  {
+    features.Add(F::SweepOfSample);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnsweepable(const OpticsScene& scene)
+{
+  if (scene.Mapper->GetNumberOfBlocks() > 1)
+  {
+    return "a volume in several blocks has no place in front of which all of it is known; SetPartitions(1, "
+           "1, 1).";
+  }
+  const int needed = (scene.Mapper->GetVisibilitySamples() + 3) / 4;
+  vtkTextureUnitManager* units = scene.Window->GetState()->GetTextureUnitManager();
+  int free = 0;
+  for (int unit = 0; unit < units->GetNumberOfTextureUnits(); ++unit)
+  {
+    free += units->IsAllocated(unit) ? 0 : 1;
+  }
+  return free >= needed ? std::string()
+                        : "it needs " + std::to_string(needed) + " texture units, of which " +
+      std::to_string(free) + " are left; lower SetVisibilitySamples().";
+}
+
+//------------------------------------------------------------------------------
+SweepGrid::View CameraView(const OpticsScene& scene)
+{
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  vtkMatrix4x4* projection =
+    camera->GetProjectionTransformMatrix(scene.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  SweepGrid::View view;
+  SetWorldToView(camera->GetModelViewTransformMatrix(), view.WorldToView);
+  view.IsPerspective = projection->GetElement(3, 2) != 0.0;
+  camera->GetClippingRange(view.Range);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    // of device coordinates, which are -1 and 1 at the window's sides
+    const double scale = projection->GetElement(axis, axis);
+    const double shift =
+      view.IsPerspective ? -projection->GetElement(axis, 2) : projection->GetElement(axis, 3);
+    const double ends[2] = { (-1.0 - shift) / scale, (1.0 - shift) / scale };
+    view.Window[2 * axis] = std::min(ends[0], ends[1]);
+    view.Window[2 * axis + 1] = std::max(ends[0], ends[1]);
+  }
+  return view;
+}
+
+//------------------------------------------------------------------------------
+void VolumeCorners(const OpticsScene& scene, double corners[24])
+{
+  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
+  const int* extent = image->GetExtent();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double index[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = extent[2 * axis + ((corner >> axis) & 1)];
+    }
+    double point[4] = { 0.0, 0.0, 0.0, 1.0 };
+    image->TransformContinuousIndexToPhysicalPoint(index, point);
+    scene.Volume->GetMatrix()->MultiplyPoint(point, point);
+    std::copy(point, point + 3, corners + 3 * corner);
+  }
+}
+
+//------------------------------------------------------------------------------
+SweepGrid::Resolution SweepResolution(const OpticsScene& scene)
+{
+  return { scene.Mapper->GetVisibilityGridSize(), scene.Mapper->GetVisibilitySliceDistance(),
+    vtkTextureObject::GetMaximumTextureSize3D(scene.Window) };
+}
+
+//------------------------------------------------------------------------------
+void SetSweepKnobs(const OpticsScene& scene, vtkVisibilitySweep* sweep)
+{
+  sweep->SetAlgorithm(scene.Mapper->GetVisibilityAlgorithm());
+  sweep->SetNumberOfDirections(scene.Mapper->GetVisibilitySamples());
+  sweep->SetDiskSize(scene.Mapper->GetVisibilityDiskSize());
+  sweep->SetTrueDistances(scene.Mapper->GetVisibilityTrueDistances());
+  sweep->SetPrecision(scene.Mapper->GetVisibilityPrecision());
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgram* ray)
+{
+  vtkVisibilitySweep::Volume volume = {};
+  volume.Window = scene.Window;
+  volume.Ray = ray;
+  vtkMatrix4x4* dataToWorld = scene.Volume->GetMatrix();
+  double textureToData[16];
+  scene.Mapper->GetTextureToData(textureToData);
+  vtkMatrix4x4::Multiply4x4(dataToWorld->GetData(), textureToData, volume.TextureToWorld);
+  std::copy(dataToWorld->GetData(), dataToWorld->GetData() + 16, volume.DataToWorld);
+  volume.StepLength = scene.Mapper->GetFrameSampleDistance(scene.Volume);
+  for (vtkObject* object : { static_cast<vtkObject*>(scene.Mapper->GetDataSetInput()),
+         static_cast<vtkObject*>(scene.Mapper->GetMaskInput()),
+         static_cast<vtkObject*>(scene.Volume->GetProperty()), static_cast<vtkObject*>(scene.Optics) })
+  {
+    volume.Times.emplace_back(object, object ? object->GetMTime() : 0);
+  }
+  return volume;
+}
+
+//------------------------------------------------------------------------------
+void SetGridUniform(const SweepGrid& grid, const vtkVisibilitySweep::Volume& volume, const char* name,
+  vtkShaderProgram* program)
+{
+  double matrix[16];
+  grid.GetWorldToTexture(matrix);
+  vtkMatrix4x4::Multiply4x4(matrix, volume.TextureToWorld, matrix);
+  float columns[16];
+  for (int i = 0; i < 16; ++i)
+  {
+    columns[4 * (i % 4) + i / 4] = static_cast<float>(matrix[i]);
+  }
+  program->SetUniformMatrix4x4(name, columns);
+}

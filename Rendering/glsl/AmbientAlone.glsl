@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Place ComputeLighting::Dec, in place of VTK's text; last. Radiance of one sample without Shade: ambient light and
+// no other.
+
+vec4 computeLighting(vec4 color, int component, float label)
+{
+  float opacity = color.a * opticsGradientOpacity(component, label);
+  return vec4(color.rgb * opticsAmbientLight(opacity), opacity);
+}

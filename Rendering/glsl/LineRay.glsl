@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Place ComputeRayDirection::Dec, after LineBlock or LineBlockNone. A ray over empty bricks.
+
+bool opticsHasLeft(vec3 texPosition)
+{
+  return any(greaterThan(max(g_dirStep, vec3(0.0)) * (texPosition - in_texMax[0]), vec3(0.0))) ||
+    any(greaterThan(min(g_dirStep, vec3(0.0)) * (texPosition - in_texMin[0]), vec3(0.0)));
+}
+
+// Leaps to the next sample in a brick that is not empty, or ends the ray, where VTK's loop would.
+void opticsLeapOverEmptyBricks()
+{
+  vec3 direction = opticsTexToLines(vec4(g_dirStep, 0.0));
+  float steps = opticsStepsOverNothing(opticsTexToLines(vec4(g_dataPos, 1.0)), direction);
+  while (!g_exit && steps > 0.0)
+  {
+    g_dataPos += steps * g_dirStep;
+    g_currentT += steps;
+    g_exit = opticsHasLeft(g_dataPos) || g_currentT - 1.0 >= g_terminatePointMax;
+    steps = opticsStepsOverNothing(opticsTexToLines(vec4(g_dataPos, 1.0)), direction);
+  }
+}

@@ -1,0 +1,5 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+    // Place Terminate::Impl, after VTK's text.
+    opticsLeapOverEmptyBricks();

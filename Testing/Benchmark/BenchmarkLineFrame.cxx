@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Frames of spirals as anisotropic voxels, as tubes and as lines, by the number of segments ([Schussman2004] Fig. 9).
+// Lines of ever finer segments fill the same voxels; more lines fill, in the end, the same ones, too. All
+// settings are drawn in turn, so that other programs on the machine slow all of them down; medians of each,
+// ratios of medians. Writes CSV to standard output: real and processor time, as ms.
+//
+// BenchmarkLineFrame [rounds, 9] [largest number of segments of voxels, 1e7] [... of tubes and lines, 1e6]
+
+#include "vtkAnalyticLineSource.h"
+#include "vtkAnisotropicLineVoxelizer.h"
+#include "vtkHeadlessRenderWindow.h"
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkTubeFilter.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace
+{
+const int PictureSize = 400;
+const double Radius = 0.0005;
+const vtkIdType LinesOfFineSegments = 500;
+
+// One thing in one window.
+struct Subject
+{
+  std::string Kind;
+  vtkIdType Segments = 0, OccupiedVoxels = 0;
+  vtkNew<vtkHeadlessRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  std::vector<double> Real, Processor;
+
+  Subject(const std::string& kind, vtkIdType segments)
+    : Kind(kind)
+    , Segments(segments)
+  {
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(PictureSize, PictureSize);
+    this->Window->AddRenderer(this->Renderer);
+  }
+
+  // From a camera that has moved.
+  void Draw(bool isMeasured)
+  {
+    this->Renderer->GetActiveCamera()->Azimuth(7.0);
+    const double start = vtkTimerLog::GetUniversalTime();
+    const std::clock_t processor = std::clock();
+    this->Window->Render();
+    this->Window->WaitForCompletion();
+    if (isMeasured)
+    {
+      this->Real.push_back(1000.0 * (vtkTimerLog::GetUniversalTime() - start));
+      this->Processor.push_back(1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
+    }
+  }
+
+  void PlaceCamera()
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetPosition(0.0, -4.0, 2.0);
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(30.0);
+    this->Renderer->ResetCameraClippingRange();
+  }
+};
+
+using Subjects = std::vector<std::unique_ptr<Subject>>;
+
+vtkSmartPointer<vtkPolyData> MakeSpirals(vtkIdType segments, vtkIdType segmentsPerLine)
+{
+  vtkNew<vtkAnalyticLineSource> source;
+  source->SetNumberOfSegments(segments);
+  source->SetSegmentsPerLine(static_cast<int>(segmentsPerLine));
+  source->Update();
+  return source->GetOutput();
+}
+
+void AddVoxels(Subjects& all, const std::string& kind, vtkPolyData* lines, vtkIdType segments)
+{
+  all.push_back(std::make_unique<Subject>(kind, segments));
+  vtkNew<vtkAnisotropicLineVoxelizer> voxelizer;
+  voxelizer->SetInputData(lines);
+  voxelizer->SetSampleDimensions(256, 256, 256);
+  voxelizer->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
+  voxelizer->SetRadius(Radius);
+  voxelizer->Update();
+  vtkDataArray* places = voxelizer->GetOutput()->GetFieldData()->GetArray("LineType0_Places");
+  all.back()->OccupiedVoxels = places ? places->GetNumberOfTuples() : 0;
+  vtkNew<vtkOpticsVolumeMapper> mapper;
+  mapper->SetInputData(voxelizer->GetOutput());
+  mapper->SetAutoAdjustSampleDistances(0);
+  mapper->SetSampleDistance(1.0F / 256.0F); // half a voxel
+  vtkNew<vtkOpticsVolumeProperty> property;
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  volume->SetProperty(property);
+  all.back()->Renderer->AddVolume(volume);
+}
+
+void AddGeometry(Subjects& all, const std::string& kind, vtkPolyData* lines, vtkIdType segments)
+{
+  all.push_back(std::make_unique<Subject>(kind, segments));
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  mapper->ScalarVisibilityOff();
+  if (kind == "tubes")
+  {
+    vtkNew<vtkTubeFilter> tubes;
+    tubes->SetInputData(lines);
+    tubes->SetRadius(Radius);
+    tubes->SetNumberOfSides(6);
+    mapper->SetInputConnection(tubes->GetOutputPort());
+  }
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  all.back()->Renderer->AddActor(actor);
+}
+
+double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// Where the straight line through the two largest of a kind meets the voxels' time; 0 if it falls.
+double Crossover(const Subjects& all, const std::string& kind, double voxels)
+{
+  std::vector<const Subject*> some;
+  for (const auto& subject : all)
+  {
+    if (subject->Kind == kind)
+    {
+      some.push_back(subject.get());
+    }
+  }
+  if (some.size() < 2)
+  {
+    return 0.0;
+  }
+  const Subject &few = *some[some.size() - 2], &many = *some.back();
+  const double slope =
+    (Median(many.Real) - Median(few.Real)) / static_cast<double>(many.Segments - few.Segments);
+  return slope > 0.0 ? static_cast<double>(many.Segments) + (voxels - Median(many.Real)) / slope : 0.0;
+}
+
+void Report(const Subjects& all, double densest)
+{
+  std::cout << "kind,segments,occupied voxels,real ms,processor ms,over the densest voxels\n";
+  for (const auto& subject : all)
+  {
+    std::cout << subject->Kind << "," << subject->Segments << "," << subject->OccupiedVoxels << ","
+              << Median(subject->Real) << "," << Median(subject->Processor) << ","
+              << Median(subject->Real) / densest << "\n";
+  }
+  for (const char* kind : { "tubes", "lines" })
+  {
+    std::cout << "crossover with " << kind << "," << Crossover(all, kind, densest) << "\n";
+  }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const int rounds = argc > 1 ? std::atoi(argv[1]) : 9;
+  const auto largest = static_cast<vtkIdType>(argc > 2 ? std::atof(argv[2]) : 1e7);
+  const auto largestGeometry = static_cast<vtkIdType>(argc > 3 ? std::atof(argv[3]) : 1e6);
+  Subjects all;
+  for (vtkIdType segments = 100000; segments <= largest; segments *= 10)
+  {
+    AddVoxels(
+      all, "voxels of finer segments", MakeSpirals(segments, segments / LinesOfFineSegments), segments);
+    AddVoxels(all, "voxels of more lines", MakeSpirals(segments, 200), segments);
+  }
+  for (vtkIdType segments = 10000; segments <= largestGeometry; segments *= 10)
+  {
+    AddGeometry(all, "tubes", MakeSpirals(segments, 200), segments);
+    AddGeometry(all, "lines", MakeSpirals(segments, 200), segments);
+  }
+  for (const auto& subject : all)
+  {
+    subject->PlaceCamera();
+    subject->Draw(false); // compiles, uploads
+  }
+  for (int round = 0; round < rounds; ++round)
+  {
+    for (const auto& subject : all)
+    {
+      subject->Draw(true);
+    }
+  }
+  double densest = 0.0;
+  for (const auto& subject : all)
+  {
+    densest = subject->Kind == "voxels of more lines" ? Median(subject->Real) : densest;
+  }
+  Report(all, densest);
+  return 0;
+}

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What lines in the mapper cost and say: nothing is linked or uploaded when the view or a scale changes, empty voxels take
+// no memory, lights and settings that they do not have are said once. Extremes.
+
+#include "LineTermScene.h"
+
+#include "vtkActor.h"
+#include "vtkLightCollection.h"
+#include "vtkOpticsVolumeProperty.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkSphereSource.h"
+
+#include <limits>
+
+namespace
+{
+double BrightnessOf(const std::vector<unsigned char>& pixels)
+{
+  double sum = 0.0;
+  for (const unsigned char value : pixels)
+  {
+    sum += value;
+  }
+  return sum / std::max<std::size_t>(pixels.size(), 1);
+}
+
+// The voxels' arrays are emptied behind the mapper's back: what is drawn then was uploaded before.
+void CheckChanges(Check& check)
+{
+  const auto voxels = Spirals(24, 24, 24);
+  LineTermScene scene(voxels);
+  auto last = scene.Render();
+  check.AtLeast("the lines are bright", BrightnessOf(last), 1.0);
+  check.That(scene.Mapper->GetActiveTerms() == "Lines", "active: " + scene.Mapper->GetActiveTerms());
+  const int links = scene.Mapper->GetProgramLinkCount();
+  auto* values =
+    vtkFloatArray::SafeDownCast(voxels->GetFieldData()->GetArray("LineType0_Coefficients"));
+  std::fill_n(values->GetPointer(0), values->GetNumberOfValues(), 0.0F);
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 0.0);
+  function->AddPoint(1.0, 0.5);
+  const std::pair<const char*, std::function<void()>> changes[] = {
+    { "camera", [&] { scene.Camera->Azimuth(30.0); } },
+    { "radius scale", [&] { scene.Mapper->SetLineRadiusScale(0, 2.0); } },
+    { "opacity scale", [&] { scene.Mapper->SetLineOpacityScale(0, 0.5); } },
+    { "opacity function", [&] { scene.Mapper->SetLineOpacityFunction(function); } },
+    { "a point of the opacity function", [&] { function->AddPoint(0.1, 0.4); } },
+    { "volume", [&] { scene.Volume->RotateZ(30.0); } },
+    { "sample distance", [&] { scene.Mapper->SetSampleDistance(0.1F); } },
+  };
+  for (const auto& [name, change] : changes)
+  {
+    change();
+    const auto picture = scene.Render();
+    check.That(picture != last, std::string(name) + " changes nothing");
+    check.AtLeast(std::string(name) + ", brightness", BrightnessOf(picture), 0.5);
+    last = picture;
+  }
+  check.Near("programs linked", scene.Mapper->GetProgramLinkCount(), links, 0.0);
+  values->Modified();
+  check.Near("new voxels are uploaded", BrightnessOf(scene.Render()), 0.0, 0.0);
+}
+
+void CheckMemory(Check& check)
+{
+  const auto small = Spirals(48, 48, 48, 4, false, 1000);
+  const auto large = Spirals(48, 48, 48, 4, false, 20000);
+  LineTermScene scene(small, 50);
+  scene.Render();
+  const auto memory = [&](vtkImageData* voxels) {
+    scene.Mapper->SetInputData(voxels);
+    scene.Render();
+    return 1024.0 * static_cast<double>(scene.Mapper->GetTermMemorySize());
+  };
+  const double ofSmall = memory(small), ofLarge = memory(large);
+  const double dense = 48.0 * 48.0 * 48.0 * 25.0 * 8.0;
+  std::cout << "bytes: " << ofSmall << " and " << ofLarge << " of " << dense << std::endl;
+  check.AtMost("of the dense coefficients", ofSmall, 0.1 * dense);
+  // 8 bytes and the harmonic's number
+  const double coefficients = static_cast<double>(lines::CountOf(small, "LineType0_Harmonics"));
+  check.AtLeast("coefficients", ofSmall, 9.0 * coefficients);
+  check.AtMost("grows with the occupied voxels", ofSmall, ofLarge);
+  scene.Mapper->SetInputData(small);
+  scene.Mapper->SetLinePrecision(32);
+  scene.Render();
+  check.AtLeast("32 bits", 1024.0 * static_cast<double>(scene.Mapper->GetTermMemorySize()), 1.4 * ofSmall);
+}
+
+void CheckMessages(Check& check)
+{
+  const auto voxels = Spirals(16, 16, 16);
+  LineTermScene scene(voxels, 50);
+  lines::Messages messages(scene.Mapper);
+  const auto plain = scene.Render();
+  vtkNew<vtkOpticsVolumeProperty> optics;
+  scene.Volume->SetProperty(optics);
+  check.That(scene.Render() == plain, "the default property draws another picture");
+  check.That(messages.Texts.empty(), "something is said of a plain scene");
+  optics->ShadeOn();
+  optics->SetReflectanceModelToWard();
+  for (int i = 0; i < 3; ++i)
+  {
+    check.That(scene.Render() == plain, "a reflectance model changes the lines");
+  }
+  check.That(messages.Has("opacity and light of their own"), "a reflectance model is not refused once");
+  messages.Texts.clear();
+  optics->SetReflectanceModelToVTK();
+  scene.Mapper->SetBlendModeToMaximumIntensity();
+  scene.Render();
+  check.Near("an unknown blend mode draws", BrightnessOf(scene.Render()), 0.0, 0.0);
+  check.That(messages.Has("blend mode"), "a blend mode is not refused once");
+  messages.Texts.clear();
+  scene.Mapper->SetBlendModeToComposite();
+  vtkNew<vtkLight> light;
+  light->SetPosition(1.0, 0.0, 0.0);
+  scene.Renderer->AddLight(light);
+  scene.Render();
+  check.That(scene.Render() == plain, "lights are not those baked in");
+  check.That(messages.Has("SetLights()"), "other lights are not said once");
+  messages.Texts.clear();
+  vtkNew<vtkImageData> broken;
+  broken->ShallowCopy(voxels);
+  vtkNew<vtkFieldData> fields;
+  fields->ShallowCopy(voxels->GetFieldData());
+  fields->RemoveArray("LineType0_Places");
+  broken->SetFieldData(fields);
+  scene.Mapper->SetInputData(broken);
+  scene.Render();
+  check.Near("broken voxels", BrightnessOf(scene.Render()), 0.0, 0.0);
+  check.That(messages.Has("do not fit each other"), "broken voxels are not said once");
+}
+
+// Opaque things hide what is behind them, and stand out of what is before.
+void CheckOpaque(Check& check)
+{
+  const auto voxels = Spirals(16, 16, 16);
+  LineTermScene scene(voxels);
+  scene.Camera->SetPosition(0.0, -4.0, 0.0);
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkActor> actor;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(0.0, 0.0, 1.0);
+  scene.Renderer->AddActor(actor);
+  const auto redOf = [&](double y) {
+    actor->SetPosition(0.0, y, 0.0);
+    return scene.RenderFloat()[4 * (50 * 100 + 50)];
+  };
+  const double before = redOf(-2.0), amid = redOf(0.0), behind = redOf(2.0);
+  check.Near("before the lines", before, 0.0, 0.0);
+  check.AtLeast("amid", amid, 0.01);
+  check.AtLeast("behind", behind, 1.5 * amid);
+}
+
+// Grids of one voxel and of many on one axis, orders, coefficients that are not numbers, no lines at all.
+void CheckExtremes(Check& check)
+{
+  vtkNew<vtkAnisotropicLineVoxelizer> voxelizer;
+  voxelizer->SetInputData(lines::MakeLines({ { { 0.5, 0.5, 0.1 }, { 0.5, 0.5, 0.9 } } }));
+  lines::SetUnitVoxel(voxelizer);
+  voxelizer->SetRadius(0.2);
+  const auto one = VoxelsOf(voxelizer);
+  LineTermScene scene(one, 50);
+  scene.Camera->ParallelProjectionOn();
+  scene.Camera->SetParallelScale(0.4);
+  scene.Camera->SetPosition(0.5, -5.0, 0.5);
+  scene.Camera->SetFocalPoint(0.5, 0.5, 0.5);
+  scene.Mapper->SetSampleDistance(0.01F);
+  const auto middle = scene.RenderFloat();
+  // through a voxel of depth tau per 2/3 of its edge
+  const double depth = lines::Look(one, glm::dvec3(0.0, -1.0, 0.0)).Depth * 1.5;
+  check.Near("one voxel", middle[4 * (25 * 50 + 25) + 3], 1.0 - std::exp(-depth), 0.01);
+
+  const auto bar = Spirals(1024, 64, 64, 0, false, 4000, 0.0009);
+  scene.Mapper->SetInputData(bar);
+  check.AtLeast("1024 x 64 x 64", BrightnessOf(scene.Render()), 1.0);
+
+  const auto broken = Spirals(16, 16, 16);
+  auto* values = vtkFloatArray::SafeDownCast(broken->GetFieldData()->GetArray("LineType0_Coefficients"));
+  for (vtkIdType i = 0; i < values->GetNumberOfValues(); i += 37)
+  {
+    const float odd[] = { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 3e38F };
+    values->SetValue(i, odd[i % 3]);
+  }
+  scene.Mapper->SetInputData(broken);
+  for (const float value : scene.RenderFloat())
+  {
+    check.Finite("a picture of coefficients that are no numbers", value);
+  }
+
+  voxelizer->SetInputData(lines::MakeLines({}));
+  const auto none = VoxelsOf(voxelizer);
+  scene.Mapper->SetInputData(none);
+  check.Near("no lines", BrightnessOf(scene.Render()), 0.0, 0.0);
+}
+
+// The step of an automatic or locked sample distance is a voxel's, not a brick's.
+void CheckSampleDistance(Check& check)
+{
+  const auto voxels = Spirals(32, 32, 32);
+  LineTermScene scene(voxels);
+  scene.Mapper->SetSampleDistance(2.0F / 32.0F);
+  const auto byVoxel = scene.Render();
+  scene.Mapper->SetAutoAdjustSampleDistances(1);
+  scene.Volume->SetAllocatedRenderTime(1.0e6, scene.Renderer);
+  const auto automatic = scene.Render();
+  check.That(automatic == byVoxel, "the automatic step is another one than a voxel");
+  check.That(scene.Mapper->GetAutoAdjustSampleDistances() == 1, "the mapper's setting is lost");
+  scene.Mapper->SetQualityToBalanced();
+  const auto preset = scene.Render();
+  scene.Mapper->SetQualityToCustom();
+  scene.Mapper->SetAutoAdjustSampleDistances(0);
+  scene.Mapper->SetSampleDistance(1.0F / 32.0F);
+  check.That(scene.Render() == preset, "Balanced is another step than half a voxel");
+}
+}
+
+int TestLineVoxelScenes(int, char*[])
+{
+  Check check;
+  CheckChanges(check);
+  CheckMemory(check);
+  CheckMessages(check);
+  CheckOpaque(check);
+  CheckExtremes(check);
+  CheckSampleDistance(check);
+  return check.ExitCode();
+}
