@@ -93,7 +93,10 @@ enum class OpticsFeature
   SweepClippingNone,
   IsosurfacesNone,
   Isosurfaces,
-  Lines, // anisotropic voxels are drawn in place of VTK's samples
+  EmptySpace, // what sees nothing is skipped
+  EmptySpaceOfSamples,
+  EmptySpaceOfSegments, // of the integral's
+  Lines,                // anisotropic voxels are drawn in place of VTK's samples
   LineBlock,
   LineBlockNone,
   LineAmbient,
