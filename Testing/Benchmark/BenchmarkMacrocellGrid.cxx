@@ -85,8 +85,8 @@ void Classify(benchmark::State& state, Case c, vtkDataArray* scalars)
   state.counters["empty"] = grid->GetEmptyFraction();
 }
 
-void Register(const std::string& name, void (*function)(benchmark::State&, Case, vtkDataArray*), const Case& c,
-  vtkDataArray* scalars)
+void Register(const std::string& name, void (*function)(benchmark::State&, Case, vtkDataArray*),
+  const Case& c, vtkDataArray* scalars)
 {
   benchmark::RegisterBenchmark((name + "/" + scalars->GetDataTypeAsString() + "/cells of " +
                                  std::to_string(c.CellSize) + "/" + std::to_string(c.Threads) + " threads")

@@ -281,6 +281,20 @@ void TestIntegralInScenes(Check& check)
   }
 }
 
+// What a sweep finds does not depend on what rays skip: a sweep has no ray.
+void TestSweeps(Check& check)
+{
+  for (std::size_t kind = 0; kind < 3; ++kind)
+  {
+    CompareInFloat(check, "occlusion, integral " + std::to_string(kind), [&](TestScene& scene) {
+      UseIntegral(scene, kind);
+      scene.Property->OcclusionOn();
+    });
+  }
+  CompareInFloat(check, "occlusion", [](TestScene& scene) { scene.Property->OcclusionOn(); });
+  CompareInFloat(check, "shadows", [](TestScene& scene) { scene.Property->ShadowsOn(); });
+}
+
 // Blocks of one scalar each, the opacity all around: only what lies between blocks is seen in data space.
 void TestConstantCells(Check& check)
 {
@@ -313,6 +327,7 @@ int TestEmptySpace(int argc, char* argv[])
   else if (has("--models"))
   {
     TestModels(check);
+    TestSweeps(check);
   }
   else if (has("--integral"))
   {
