@@ -12,7 +12,7 @@ constexpr double WideAngle = 80.0, NarrowAngle = 50.0;
 constexpr double WholeSphere = 180.0;
 // What is seen of a flat, opaque surface is lit through the half of itself that is in front of it: at 80 degrees
 // by .36 of the light, the mean of c/(1 + c) over the cone's cosines c, at 50 degrees by .45.
-constexpr double Brightness = 2.4;
+constexpr double Brightness = 2.4, NarrowBrightness = 1.75;
 constexpr double ShadowedDiffuse = 1.6;
 
 // Lit by ambient light alone, on a background that dark creases stand out from.
@@ -62,6 +62,7 @@ PictureSettings TubesInOneColor()
 PictureSettings Occluded(PictureSettings settings, double angle)
 {
   settings.Visibility.OcclusionAngle = angle;
+  settings.Function.Ambient = angle > NarrowAngle ? Brightness : NarrowBrightness;
   return settings;
 }
 
