@@ -437,11 +437,10 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 }
 
 //------------------------------------------------------------------------------
-std::string LineEvaluationVertexShader(int order, int types, bool hasProduct)
+std::string LineEvaluationVertexShader(int order, int types)
 {
   const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
-    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n#define OPTICS_LINE_PRODUCT " +
-    (hasProduct ? "1\n" : "0\n");
+    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n";
   return "//VTK::System::Dec\n" + constants + Opacity + SphericalHarmonics + CylinderLighting + LineVoxel +
     LineEvaluationVertex;
 }

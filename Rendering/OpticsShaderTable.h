@@ -137,7 +137,7 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 /**
  * The shaders that evaluate anisotropic voxels of an order and a number of line types.
  */
-std::string LineEvaluationVertexShader(int order, int types, bool hasProduct);
+std::string LineEvaluationVertexShader(int order, int types);
 std::string LineEvaluationFragmentShader();
 
 /**
