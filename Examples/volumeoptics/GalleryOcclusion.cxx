@@ -12,7 +12,8 @@ constexpr double WideAngle = 80.0, NarrowAngle = 50.0;
 constexpr double WholeSphere = 180.0;
 // What is seen of a flat, opaque surface is lit through the half of itself that is in front of it: at 80 degrees
 // by .36 of the light, the mean of c/(1 + c) over the cone's cosines c, at 50 degrees by .45.
-constexpr double Brightness = 2.4;
+constexpr double Brightness = 2.4, NarrowBrightness = 1.75;
+constexpr double ShadowedDiffuse = 1.6;
 
 // Lit by ambient light alone, on a background that dark creases stand out from.
 PictureSettings Ambient(PictureSettings settings)
@@ -61,6 +62,7 @@ PictureSettings TubesInOneColor()
 PictureSettings Occluded(PictureSettings settings, double angle)
 {
   settings.Visibility.OcclusionAngle = angle;
+  settings.Function.Ambient = angle > NarrowAngle ? Brightness : NarrowBrightness;
   return settings;
 }
 
@@ -196,9 +198,12 @@ GallerySection TracedSection()
 PictureSettings Shadowed(PictureSettings settings, double angle)
 {
   settings = Lambert(settings);
-  settings.Function.Diffuse = 0.9;
   settings.Lights = { { -45.0, 40.0, 1.0 } };
   settings.Visibility.Shadows = angle >= 0.0;
+  settings.Visibility.GridSize = 256; // an edge of a hard shadow shows froxels
+  // as with occlusion: of what reaches a surface its own front takes a part
+  settings.Function.Diffuse = settings.Visibility.Shadows ? ShadowedDiffuse : 0.8;
+  settings.Function.Ambient = 0.12; // so that what lies in the shadow is seen
   settings.Visibility.ShadowAngle = angle > 0.0 ? angle : 0.0;
   return settings;
 }
@@ -207,8 +212,7 @@ GallerySection ShadowSection(bool withCranium)
 {
   GallerySection section{ "Shadows, hard and soft",
     "The same sweep from a lamp gives its shadow; a cone about the way to the lamp gives that of a lamp with "
-    "an "
-    "extent. One lamp, from above on the left.",
+    "an extent. One lamp, from above on the left, and a little ambient light.",
     3, {}, false };
   const auto add = [&](const std::string& name, const std::string& title, const std::string& field,
                      const PictureSettings& settings) {
@@ -217,7 +221,7 @@ GallerySection ShadowSection(bool withCranium)
     section.Pictures.push_back(
       { "shadow-" + name + "-hard", title + ", hard", field, Shadowed(settings, 0.0), " " });
     section.Pictures.push_back(
-      { "shadow-" + name + "-soft", title + ", soft: 10 degrees", field, Shadowed(settings, 10.0), " " });
+      { "shadow-" + name + "-soft", title + ", soft: 15 degrees", field, Shadowed(settings, 15.0), " " });
   };
   if (withCranium)
   {
