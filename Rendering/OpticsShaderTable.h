@@ -98,6 +98,7 @@ enum class OpticsFeature
   LineBlockNone,
   LineAmbient,
   LineAmbientNone,
+  LineShadows,
   Count
 };
 
