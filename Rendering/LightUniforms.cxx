@@ -115,6 +115,7 @@ std::vector<float> SharesOfLights(vtkRenderer* renderer)
     sum += intensities.back();
   }
   std::vector<float> shares;
+  shares.reserve(intensities.size());
   for (const double intensity : intensities)
   {
     shares.push_back(
