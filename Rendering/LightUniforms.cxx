@@ -103,6 +103,28 @@ int CountLights(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> SharesOfLights(vtkRenderer* renderer)
+{
+  std::vector<double> intensities;
+  double sum = 0.0;
+  for (vtkLight* light : LightsThatAreOn(renderer))
+  {
+    const double* color = light->GetDiffuseColor();
+    const double luminance = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]; // of linear sRGB
+    intensities.push_back(luminance * light->GetIntensity());
+    sum += intensities.back();
+  }
+  std::vector<float> shares;
+  shares.reserve(intensities.size());
+  for (const double intensity : intensities)
+  {
+    shares.push_back(
+      static_cast<float>(sum > 0.0 ? intensity / sum : 1.0 / static_cast<double>(intensities.size())));
+  }
+  return shares;
+}
+
+//------------------------------------------------------------------------------
 bool HasPositionalLight(vtkRenderer* renderer)
 {
   const std::vector<vtkLight*> lights = LightsThatAreOn(renderer);

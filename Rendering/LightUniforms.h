@@ -37,6 +37,9 @@ std::vector<vtkLight*> LightsThatAreOn(vtkRenderer* renderer);
 
 int CountLights(vtkRenderer* renderer);
 
+/** Of each light its share of the luminous intensity of all; even where that is 0. */
+std::vector<float> SharesOfLights(vtkRenderer* renderer);
+
 bool HasPositionalLight(vtkRenderer* renderer);
 
 void SetLightUniforms(vtkRenderer* renderer, vtkShaderProgram* program);

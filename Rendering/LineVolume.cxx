@@ -16,6 +16,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <limits>
+
 using volumeoptics::LineGrid;
 
 namespace
@@ -90,6 +92,17 @@ LineView LineVolume::ViewOf(const OpticsScene& scene) const
   view.ToEye = -glm::normalize(glm::dvec3(worldToLengths * direction));
   view.IsParallel = camera->GetParallelProjection() != 0;
   return view;
+}
+
+//------------------------------------------------------------------------------
+glm::vec3 LineVolume::GetLeastColor() const
+{
+  glm::vec3 least(std::numeric_limits<float>::max());
+  for (const LineTextures::Type& type : this->Lines.Types)
+  {
+    least = glm::min(least, type.LeastColor);
+  }
+  return least;
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,9 @@ public:
   /** Data space to voxels, from the corner of the first one. */
   glm::dmat4 GetDataToVoxels() const { return this->DataToVoxels; }
 
+  /** The least colour of all line types: what they have without lights, or a part of it. */
+  glm::vec3 GetLeastColor() const;
+
   /** name: the beginning of the uniforms' names. */
   void SetUniforms(const std::string& name, vtkShaderProgram* program);
   void UnbindTextures();

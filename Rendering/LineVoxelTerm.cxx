@@ -112,11 +112,14 @@ void LineVoxelTerm::SetUniforms(const OpticsScene&, vtkShaderProgram* program)
   const glm::dmat4 toLines = this->Lines.GetDataToVoxels();
   SetMatrix(program, "in_opticsDataToLines", toLines);
   this->Lines.SetUniforms("in_opticsLine", program);
+  glm::vec3 ambient = this->Lines.GetLeastColor();
   if (this->HasBlock)
   {
     SetMatrix(program, "in_opticsLinesToBlock", this->Block.GetDataToVoxels() * glm::inverse(toLines));
     this->Block.SetUniforms("in_opticsBlock", program);
+    ambient = glm::min(ambient, this->Block.GetLeastColor());
   }
+  program->SetUniform3f("in_opticsLineAmbient", &ambient.x);
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,8 @@
 #include "LineRay.h"
 #include "LineShadingImpl.h"
 #include "LineShadingInit.h"
+#include "LineShadowed.h"
+#include "LineShadows.h"
 #include "LineTerminate.h"
 #include "LineVoxel.h"
 #include "LinesDec.h"
@@ -173,11 +175,12 @@ const Place ShadingImpl = { "//VTK::Shading::Impl", false };
 const Place DepthPassImpl = { "//VTK::DepthPass::Impl", true };
 const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
 const Place AfterTerminateImpl = { "//VTK::Terminate::Impl", true };
-// Places of our own, in Lighting.glsl.
+// Places of our own, in Lighting.glsl and LineShadingImpl.glsl.
 const Place GradientPlace = { "//Optics::Gradient", false };
 const Place SurfacePlace = { "//Optics::Surface", false };
 const Place LightPlace = { "//Optics::Light", false };
 const Place TransmissionPlace = { "//Optics::Transmission", false };
+const Place LinesPlace = { "//Optics::Lines", false };
 
 struct Row
 {
@@ -320,8 +323,10 @@ const Row Table[] = {
   { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
   { F::LineAmbientNone, &ComputeRayDirectionDec, LineAmbientNone },
   { F::LineAmbient, &ComputeRayDirectionDec, LineAmbient },
+  { F::LineShadows, &ComputeRayDirectionDec, LineShadows },
   { F::Lines, &ComputeRayDirectionDec, LineRay },
   { F::Lines, &ShadingImpl, LineShadingImpl },
+  { F::LineShadows, &LinesPlace, LineShadowed },
   { F::Lines, &AfterTerminateImpl, LineTerminate },
 };
 
@@ -385,7 +390,7 @@ std::string NumbersText(const OpticsFeatures& features)
 // Our own places are in our text; those that no term fills leave nothing behind.
 void FillOwnPlaces(std::string& fragment, const OpticsFeatures& features)
 {
-  for (const Place* place : { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace })
+  for (const Place* place : { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace, &LinesPlace })
   {
     vtkShaderProgram::Substitute(fragment, place->Tag, TextFor(*place, features), false);
   }
@@ -407,11 +412,11 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
 {
   Place place = ComputeLightingDec;
   std::string text = TextFor(ComputeLightingDec, features);
-  if (features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone))
+  const bool replaces = features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone);
+  place.KeepsVTKText = !replaces;
+  if (replaces || features.Has(OpticsFeature::Shadows))
   {
-    place.KeepsVTKText = false;
     text.insert(0, NumbersText(features));
-    FillOwnPlaces(text, features);
   }
   return Insert(fragment, place, text);
 }
@@ -426,6 +431,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }
+  FillOwnPlaces(fragment, features);
   return found;
 }
 

@@ -101,6 +101,7 @@ enum class OpticsFeature
   LineBlockNone,
   LineAmbient,
   LineAmbientNone,
+  LineShadows,
   Count
 };
 

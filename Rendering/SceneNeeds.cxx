@@ -125,7 +125,7 @@ bool WantsLighting(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetShade() &&
     (scene.Optics->GetReflectanceModel() != Property::VTK || scene.Optics->GetLightingTransferFunction() ||
-      TransmitsLight(scene) || (WantsAmbientLight(scene) && !HasLineVoxels(scene)) || WantsShadows(scene));
+      TransmitsLight(scene) || (!HasLineVoxels(scene) && (WantsAmbientLight(scene) || WantsShadows(scene))));
 }
 
 //------------------------------------------------------------------------------
@@ -220,7 +220,8 @@ bool HasAmbientLight(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool WantsShadows(const OpticsScene& scene)
 {
-  return scene.Optics->GetShadows() && scene.Volume->GetProperty()->GetShade() &&
+  // Shade is not asked for lines: they are always lit
+  return scene.Optics->GetShadows() && (scene.Volume->GetProperty()->GetShade() || HasLineVoxels(scene)) &&
     CountLights(scene.Renderer) > 0;
 }
 

@@ -82,7 +82,7 @@ bool ShadowTerm::IsActive(const OpticsScene& scene)
   {
     return false;
   }
-  const std::string reason = FindUnsupportedBySamples(scene);
+  const std::string reason = FindUnsupported(scene);
   if (!reason.empty())
   {
     scene.Mapper->Say(
@@ -197,11 +197,21 @@ void ShadowTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
   features.Add(IntegratesInData(scene) ? F::OwnOpacityInData : F::OwnOpacity);
   AddSweepFeatures(scene, features);
   features.NumberOfShadowViews = static_cast<int>(this->Views.size());
+  if (HasLineVoxels(scene))
+  {
+    features.Add(F::LineShadows);
+    features.NumberOfLights = CountLights(scene.Renderer);
+  }
 }
 
 //------------------------------------------------------------------------------
-void ShadowTerm::SetUniforms(const OpticsScene&, vtkShaderProgram* program)
+void ShadowTerm::SetUniforms(const OpticsScene& scene, vtkShaderProgram* program)
 {
+  if (HasLineVoxels(scene))
+  {
+    const std::vector<float> shares = SharesOfLights(scene.Renderer);
+    program->SetUniform1fv("in_opticsLineLightShares", static_cast<int>(shares.size()), shares.data());
+  }
   SetVectors(program, "in_opticsShadowOfLight", this->ViewsOfLights[0].data(), this->ViewsOfLights.size());
 }
 

@@ -336,7 +336,7 @@ public:
   /**
    * With Shade on: whether the volume, and the opaque geometry in its renderer, cast shadows into the
    * volume, from each light as much as its shadow attenuation says (vtkLight::SetShadowAttenuation();
-   * 1, its default, is a full shadow, 0 none). With every reflectance model. Default off.
+   * 1, its default, is a full shadow, 0 none). With any reflectance model; lines need no Shade. Default off.
    * [Ament2015] section 5.
    */
   vtkGetMacro(Shadows, bool);

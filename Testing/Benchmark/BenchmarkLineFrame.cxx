@@ -142,8 +142,20 @@ double Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
+using Times = std::vector<double> Subject::*;
+
+double DensestVoxels(const Subjects& all, Times times)
+{
+  double densest = 0.0;
+  for (const auto& subject : all)
+  {
+    densest = subject->Kind == "voxels of more lines" ? Median((*subject).*times) : densest;
+  }
+  return densest;
+}
+
 // Where the straight line through the two largest of a kind meets the voxels' time; 0 if it falls.
-double Crossover(const Subjects& all, const std::string& kind, double voxels)
+double Crossover(const Subjects& all, const std::string& kind, Times times)
 {
   std::vector<const Subject*> some;
   for (const auto& subject : all)
@@ -158,23 +170,28 @@ double Crossover(const Subjects& all, const std::string& kind, double voxels)
     return 0.0;
   }
   const Subject &few = *some[some.size() - 2], &many = *some.back();
-  const double slope =
-    (Median(many.Real) - Median(few.Real)) / static_cast<double>(many.Segments - few.Segments);
-  return slope > 0.0 ? static_cast<double>(many.Segments) + (voxels - Median(many.Real)) / slope : 0.0;
+  const double more = Median(many.*times) - Median(few.*times);
+  const double slope = more / static_cast<double>(many.Segments - few.Segments);
+  const double left = DensestVoxels(all, times) - Median(many.*times);
+  return slope > 0.0 ? static_cast<double>(many.Segments) + left / slope : 0.0;
 }
 
-void Report(const Subjects& all, double densest)
+void Report(const Subjects& all)
 {
-  std::cout << "kind,segments,occupied voxels,real ms,processor ms,over the densest voxels\n";
+  std::cout << "kind,segments,occupied voxels,real ms,processor ms,real over the densest voxels,processor "
+               "over them\n";
   for (const auto& subject : all)
   {
     std::cout << subject->Kind << "," << subject->Segments << "," << subject->OccupiedVoxels << ","
               << Median(subject->Real) << "," << Median(subject->Processor) << ","
-              << Median(subject->Real) / densest << "\n";
+              << Median(subject->Real) / DensestVoxels(all, &Subject::Real) << ","
+              << Median(subject->Processor) / DensestVoxels(all, &Subject::Processor) << "\n";
   }
   for (const char* kind : { "tubes", "lines" })
   {
-    std::cout << "crossover with " << kind << "," << Crossover(all, kind, densest) << "\n";
+    std::cout << "crossover with " << kind << " in real time," << Crossover(all, kind, &Subject::Real) << "\n"
+              << "crossover with " << kind << " in processor time,"
+              << Crossover(all, kind, &Subject::Processor) << "\n";
   }
 }
 }
@@ -208,11 +225,6 @@ int main(int argc, char* argv[])
       subject->Draw(true);
     }
   }
-  double densest = 0.0;
-  for (const auto& subject : all)
-  {
-    densest = subject->Kind == "voxels of more lines" ? Median(subject->Real) : densest;
-  }
-  Report(all, densest);
+  Report(all);
   return 0;
 }

@@ -130,6 +130,18 @@ void CheckMessages(Check& check)
   scene.Render();
   check.Near("broken voxels", BrightnessOf(scene.Render()), 0.0, 0.0);
   check.That(messages.Has("do not fit each other"), "broken voxels are not said once");
+  messages.Texts.clear();
+  vtkNew<vtkFloatArray> wide;
+  wide->SetName("LineType0_Coefficients");
+  wide->SetNumberOfComponents(5);
+  wide->SetNumberOfTuples(lines::CountOf(voxels, "LineType0_Coefficients"));
+  wide->Fill(0.0);
+  fields->ShallowCopy(voxels->GetFieldData());
+  fields->AddArray(wide);
+  broken->Modified();
+  scene.Render();
+  check.Near("voxels of another version", BrightnessOf(scene.Render()), 0.0, 0.0);
+  check.That(messages.Has("5 components"), "coefficients of five components are not said once");
 }
 
 // Opaque things hide what is behind them, and stand out of what is before.
