@@ -8,7 +8,7 @@
 #define CylinderProjection_h
 
 #include "HarmonicBasis.h"
-#include "LineLighting.h"
+#include "LineVoxels.h"
 #include "TangentTable.h"
 
 #include <array>
@@ -18,10 +18,6 @@
 namespace volumeoptics
 {
 class Batches;
-
-// Red, green, blue times area; area.
-constexpr int AreaChannel = 3;
-constexpr int LineChannels = 4;
 
 // What the parts of a segment share.
 struct SegmentRow

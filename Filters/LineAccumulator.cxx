@@ -271,7 +271,6 @@ void LineAccumulator::MakeSets(
   {
     bricks.emplace_back();
     bricks.back().Type = type.first;
-    bricks.back().Channels = LineChannels;
     bricks.back().Bricks.resize(occupied);
     LineBounds& colors = type.second.Colors;
     processes.Least(&colors.Least.x, 3);

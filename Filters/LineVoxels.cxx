@@ -67,8 +67,8 @@ void WriteType(const LineTypeBricks& bricks, vtkImageData* image)
   auto* place = AddArray<vtkUnsignedShortArray>(image, NameOf(type, "Places"), voxels)->GetPointer(0);
   auto* harmonic =
     AddArray<vtkUnsignedCharArray>(image, NameOf(type, "Harmonics"), coefficients)->GetPointer(0);
-  auto* value = AddArray<vtkFloatArray>(image, NameOf(type, "Coefficients"), coefficients, bricks.Channels)
-                  ->GetPointer(0);
+  auto* value =
+    AddArray<vtkFloatArray>(image, NameOf(type, "Coefficients"), coefficients, LineChannels)->GetPointer(0);
   *brickStart = 0;
   *voxelStart = 0;
   for (const LineBrick& brick : bricks.Bricks)
@@ -220,14 +220,18 @@ std::string LineVoxels::ReadType(vtkImageData* image, int type)
   }
   const vtkIdType count = set.VoxelStarts[voxels];
   vtkDataArray* values = image->GetFieldData()->GetArray(NameOf(type, "Coefficients").c_str());
-  set.Channels = values ? values->GetNumberOfComponents() : 0;
+  if (values && values->GetNumberOfComponents() != LineChannels)
+  {
+    return "coefficients of " + std::to_string(values->GetNumberOfComponents()) +
+      " components for line type " + std::to_string(type) + ", where " + std::to_string(LineChannels) +
+      " are known";
+  }
   set.Places = Pointer<unsigned short>(image, NameOf(type, "Places"), VTK_UNSIGNED_SHORT, voxels);
   set.Harmonics = Pointer<unsigned char>(image, NameOf(type, "Harmonics"), VTK_UNSIGNED_CHAR, count);
-  set.Values = Pointer<float>(
-    image, NameOf(type, "Coefficients"), VTK_FLOAT, count * static_cast<vtkIdType>(set.Channels));
+  set.Values = Pointer<float>(image, NameOf(type, "Coefficients"), VTK_FLOAT, count * LineChannels);
   const double* range = Pointer<double>(image, NameOf(type, "ColorRange"), VTK_DOUBLE, 6);
   const int harmonics = (this->MaximumOrder + 1) * (this->MaximumOrder + 1);
-  const bool isRight = range && set.Channels >= 4 && set.Channels <= 5 &&
+  const bool isRight = range &&
     (voxels == 0 ||
       (set.Places && *std::max_element(set.Places, set.Places + voxels) < this->Grid.VoxelsOfBrick())) &&
     (count == 0 ||

@@ -23,12 +23,15 @@ class vtkImageData;
 
 namespace volumeoptics
 {
+// Red, green, blue times area; area.
+constexpr int AreaChannel = 3;
+constexpr int LineChannels = 4;
+
 // The coefficient sets of one line type. Voxels of brick b: from BrickStarts[b] to BrickStarts[b + 1];
 // coefficients of voxel v: from VoxelStarts[v] to VoxelStarts[v + 1].
 struct LineCoefficients
 {
   int Type = 0;
-  int Channels = 4;
   const vtkTypeInt64* BrickStarts = nullptr;
   const unsigned short* Places = nullptr; // in the brick
   const vtkTypeInt64* VoxelStarts = nullptr;
@@ -78,7 +81,6 @@ struct LineBrick
 struct LineTypeBricks
 {
   int Type = 0;
-  int Channels = 4;
   std::vector<LineBrick> Bricks; // by brick index
   std::array<double, 6> ColorRange = { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0 };
 };

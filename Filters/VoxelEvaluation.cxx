@@ -3,7 +3,6 @@
 
 #include "VoxelEvaluation.h"
 
-#include "CylinderProjection.h"
 #include "Optics.h"
 
 namespace volumeoptics
@@ -24,7 +23,7 @@ Sums SumVoxel(const LineCoefficients& set, vtkTypeInt64 voxel, const double* bas
   for (vtkTypeInt64 i = set.VoxelStarts[voxel]; i < set.VoxelStarts[voxel + 1]; ++i)
   {
     const int harmonic = set.Harmonics[i];
-    const float* values = set.Values + i * set.Channels;
+    const float* values = set.Values + i * LineChannels;
     for (int c = 0; c < LineChannels; ++c)
     {
       sums.Channels[c] += values[c] * basis[harmonic];
@@ -49,7 +48,7 @@ EvaluatedVoxel EvaluateVoxel(
     return result;
   }
   const double depth = sums.Channels[AreaChannel];
-  result.Depth = optics::DepthOfLines(depth, 0.0, sums.Degree0.w, sums.Degree2, scale.Radius, scale.Opacity);
+  result.Depth = optics::DepthOfLines(depth, sums.Degree0.w, sums.Degree2, scale.Radius, scale.Opacity);
   const glm::dvec3 light(sums.Channels[0], sums.Channels[1], sums.Channels[2]);
   result.Color = optics::ColorOfLines(
     light, depth, glm::dvec3(sums.Degree0), sums.Degree0.w, set.LeastColor, set.LargestColor);

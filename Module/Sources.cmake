@@ -22,6 +22,7 @@ set(rendering_classes
   vtkHeadlessRenderWindow
   vtkLightingTransferFunction
   vtkLightingTransferFunctionItem
+  vtkMacrocellGrid
   vtkMultiSampleClassification
   vtkOpticsPreset
   vtkOpticsVolumeMapper
@@ -64,6 +65,7 @@ set(rendering_sources
   BoundarySearch
   DataSpaceClassification
   DefaultOptics
+  EmptySpaceTerm
   FrameGeometry
   FrameProvider
   FrameTerm
@@ -87,6 +89,7 @@ set(rendering_sources
   LightingTable
   LightingTableTexture
   LightingTransferFunctionTerm
+  MacrocellDistances
   LineAtlas
   LineEvaluation
   LineTextures
@@ -124,6 +127,8 @@ set(rendering_sources
   TransferFunctionStretches
   TransferFunctionTerm
   TransferFunctionTexture
+  VisibleInScene
+  VisibleScalars
   vtkLightingTransferFunctionItemEvents
   vtkOpticsShaderPass)
 

@@ -14,6 +14,8 @@
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
 
+#include <iterator>
+
 using volumeoptics::LineScale;
 
 namespace
@@ -123,15 +125,10 @@ void LineEvaluation::Draw(
   this->SetTypes(lines, scales);
   this->Function.SetUniforms("in_opacityFunction", program);
   program->SetUniformi("in_mapsOpacity", mapsOpacity ? 1 : 0);
-  std::vector<TermTexture*> textures = { &lines.Points, &lines.Voxels, &lines.Starts, &lines.Harmonics,
+  TermTexture* const textures[] = { &lines.Points, &lines.Voxels, &lines.Starts, &lines.Harmonics,
     &lines.Coefficients };
-  const char* const names[] = { "in_points", "in_voxels", "in_starts", "in_harmonics", "in_coefficients",
-    "in_products" };
-  if (lines.HasProduct)
-  {
-    textures.push_back(&lines.Products);
-  }
-  for (std::size_t i = 0; i < textures.size(); ++i)
+  const char* const names[] = { "in_points", "in_voxels", "in_starts", "in_harmonics", "in_coefficients" };
+  for (std::size_t i = 0; i < std::size(textures); ++i)
   {
     textures[i]->Bind(names[i], program);
   }
@@ -149,7 +146,7 @@ void LineEvaluation::Draw(
 void LineEvaluation::MakeProgramReady(const LineTextures& lines)
 {
   const std::string vertex =
-    LineEvaluationVertexShader(lines.MaximumOrder, static_cast<int>(lines.Types.size()), lines.HasProduct);
+    LineEvaluationVertexShader(lines.MaximumOrder, static_cast<int>(lines.Types.size()));
   const std::string fragment = LineEvaluationFragmentShader();
   this->Program = this->Window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }

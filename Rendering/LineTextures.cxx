@@ -10,14 +10,12 @@
 #include <cmath>
 #include <cstdint>
 
+using volumeoptics::LineChannels;
 using volumeoptics::LineCoefficients;
 using volumeoptics::LineVoxels;
 
 namespace
 {
-constexpr int Depth = 3; // the channel
-constexpr int Product = 4;
-
 // The largest of what is stored in 16 bits, a quarter of what these can hold.
 const float LargestStored = 16384.0F;
 
@@ -31,20 +29,13 @@ float Finite(float value)
 float LargestOf(const LineCoefficients& set)
 {
   float largest = 0.0F;
-  for (vtkTypeInt64 i = 0; i < set.GetNumberOfCoefficients() * set.Channels; ++i)
+  for (vtkTypeInt64 i = 0; i < set.GetNumberOfCoefficients() * LineChannels; ++i)
   {
     largest = std::max(largest, std::abs(Finite(set.Values[i])));
   }
   return largest > 0.0F ? largest : 1.0F;
 }
 
-void AppendTexel(std::vector<float>& texels, const float* values, int count, float scale)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    texels.push_back(Finite(values[i]) / scale);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -171,54 +162,41 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
 void LineTextures::ReadTypes(const LineVoxels& voxels, int bits)
 {
   this->Types.clear();
-  this->HasProduct = false;
   for (const LineCoefficients& set : voxels.Types)
   {
     const float scale = bits == 32 ? 1.0F : LargestOf(set) / LargestStored;
     this->Types.push_back({ set.Type, scale, glm::vec3(set.LeastColor), glm::vec3(set.LargestColor) });
-    this->HasProduct = this->HasProduct || set.Channels > Product;
   }
 }
 
 //------------------------------------------------------------------------------
 void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpenGLRenderWindow* window)
 {
-  std::vector<float> texels, products;
+  std::vector<float> texels;
   std::vector<std::uint8_t> harmonics;
   for (std::size_t t = 0; t < this->Types.size(); ++t)
   {
     const LineCoefficients& set = voxels.Types[t];
     const vtkTypeInt64 count = set.GetNumberOfCoefficients();
     harmonics.insert(harmonics.end(), set.Harmonics, set.Harmonics + count);
-    for (vtkTypeInt64 i = 0; i < count; ++i)
+    for (vtkTypeInt64 i = 0; i < count * LineChannels; ++i)
     {
-      const float* values = set.Values + i * set.Channels;
-      AppendTexel(texels, values, Depth + 1, this->Types[t].Scale);
-      if (this->HasProduct)
-      {
-        AppendTexel(products, values + std::min(set.Channels - 1, Product), 1, this->Types[t].Scale);
-      }
+      texels.push_back(Finite(set.Values[i]) / this->Types[t].Scale);
     }
   }
-  const bool isHalf = bits == 16;
-  const auto format = [isHalf](
-                        int half, int full) { return static_cast<unsigned int>(isHalf ? half : full); };
   this->UploadList(this->Harmonics, harmonics,
     { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
   this->UploadList(this->Coefficients, texels,
-    { format(GL_RGBA16F, GL_RGBA32F), GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, bits / 2 }, window);
-  if (this->HasProduct)
-  {
-    this->UploadList(this->Products, products,
-      { format(GL_R16F, GL_R32F), GL_RED, GL_FLOAT, 1, VTK_FLOAT, bits / 8 }, window);
-  }
+    { static_cast<unsigned int>(bits == 16 ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT, 4, VTK_FLOAT,
+      bits / 2 },
+    window);
 }
 
 //------------------------------------------------------------------------------
 void LineTextures::Release(vtkWindow* window)
 {
-  for (TermTexture* texture : { &this->Bricks, &this->Points, &this->Voxels, &this->Starts, &this->Harmonics,
-         &this->Coefficients, &this->Products })
+  for (TermTexture* texture :
+    { &this->Bricks, &this->Points, &this->Voxels, &this->Starts, &this->Harmonics, &this->Coefficients })
   {
     texture->Release(window);
   }

@@ -31,7 +31,6 @@ public:
 
   volumeoptics::LineGrid Grid;
   int MaximumOrder = 0;
-  bool HasProduct = false;
   std::vector<Type> Types;
   glm::ivec2 AtlasSize = glm::ivec2(0); // 0: there are no lines
   int NumberOfVoxels = 0;
@@ -43,7 +42,6 @@ public:
   TermTexture Starts; // of each type, of each voxel, the first coefficient
   TermTexture Harmonics;
   TermTexture Coefficients;
-  TermTexture Products;
 
 private:
   struct Format

@@ -38,6 +38,12 @@ void vtkOpticsVolumeMapper::SetPreIntegrationTableSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetMacrocellSize(int voxels)
+{
+  volumeoptics::SetWithinRange(this, "MacrocellSize", voxels, 2, 64, this->MacrocellSize);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetTablePrecision(int bits)
 {
   if (bits != 16 && bits != 32)
@@ -272,6 +278,8 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisibilityTrueDistances: " << (this->VisibilityTrueDistances ? "on" : "off") << "\n";
   os << indent << "VisibilityPrecision: " << this->VisibilityPrecision << "\n";
   os << indent << "TablePrecision: " << this->TablePrecision << "\n";
+  os << indent << "SkipEmptySpace: " << (this->SkipEmptySpace ? "on" : "off") << "\n";
+  os << indent << "MacrocellSize: " << this->MacrocellSize << "\n";
   os << indent << "LinePrecision: " << this->LinePrecision << "\n";
   os << indent << "LineOpacityFunction: " << this->LineOpacityFunction.Get() << "\n";
   for (const auto& [type, scale] : this->LineRadiusScales)

@@ -24,6 +24,11 @@
 #include "DataSpace.h"
 #include "DataSpaceInterior.h"
 #include "DataSpaceSegment.h"
+#include "EmptySpaceDec.h"
+#include "EmptySpaceInit.h"
+#include "EmptySpaceOfSamples.h"
+#include "EmptySpaceOfSegments.h"
+#include "EmptySpaceSegmentsInit.h"
 #include "ExtinctionGradientCentral.h"
 #include "ExtinctionGradientStored.h"
 #include "FrameDec.h"
@@ -153,7 +158,8 @@ using F = OpticsFeature;
 struct Place
 {
   const char* Tag;
-  bool KeepsVTKText; // ours is added behind VTK's, or stands in its place
+  bool KeepsVTKText;        // ours is added to VTK's, or stands in its place
+  bool IsBeforeVTK = false; // added before VTK's, or behind it
 };
 
 const Place BaseDec = { "//VTK::Base::Dec", true };
@@ -161,6 +167,7 @@ const Place BaseInit = { "//VTK::Base::Init", true };
 const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", true };
 const Place ComputeRayDirectionDec = { "//VTK::ComputeRayDirection::Dec", true };
 const Place ClippingImpl = { "//VTK::Clipping::Impl", true };
+const Place BaseImpl = { "//VTK::Base::Impl", true, true };
 const Place ShadingInit = { "//VTK::Shading::Init", true };
 const Place ShadingImpl = { "//VTK::Shading::Impl", false };
 const Place DepthPassImpl = { "//VTK::DepthPass::Impl", true };
@@ -297,12 +304,17 @@ const Row Table[] = {
   { F::Integral, &ClippingImpl, IntegralPath },
   { F::Integral, &ShadingInit, IntegralInit },
   { F::Lines, &ShadingInit, LineShadingInit },
+  { F::EmptySpace, &ShadingInit, EmptySpaceInit },
+  { F::EmptySpaceOfSegments, &ShadingInit, EmptySpaceSegmentsInit },
   { F::VisibilitySweep, &ShadingInit, SweepRayEnd },
   { F::SweepFrame, &ShadingInit, SweepFrame },
   { F::VisibilitySweep, &DepthPassImpl, SweepTerminate },
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
 
+  { F::EmptySpace, &BaseDec, EmptySpaceDec },
+  { F::EmptySpaceOfSamples, &BaseImpl, EmptySpaceOfSamples },
+  { F::EmptySpaceOfSegments, &BaseImpl, EmptySpaceOfSegments },
   { F::Lines, &ComputeRayDirectionDec, LineLookup },
   { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
   { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
@@ -386,7 +398,8 @@ bool Insert(std::string& fragment, const Place& place, const std::string& text)
     return true;
   }
   const std::string kept = place.KeepsVTKText ? std::string(place.Tag) + "\n" : std::string();
-  return vtkShaderProgram::Substitute(fragment, place.Tag, kept + text, false);
+  return vtkShaderProgram::Substitute(
+    fragment, place.Tag, place.IsBeforeVTK ? text + kept : kept + text, false);
 }
 
 // Our own lighting stands in the place of VTK's; without it what is needed there is added.
@@ -409,7 +422,7 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 {
   bool found = InsertLighting(fragment, features);
   for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
+         &BaseImpl, &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
   {
     found &= Insert(fragment, *place, TextFor(*place, features));
   }
@@ -424,11 +437,10 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 }
 
 //------------------------------------------------------------------------------
-std::string LineEvaluationVertexShader(int order, int types, bool hasProduct)
+std::string LineEvaluationVertexShader(int order, int types)
 {
   const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
-    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n#define OPTICS_LINE_PRODUCT " +
-    (hasProduct ? "1\n" : "0\n");
+    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n";
   return "//VTK::System::Dec\n" + constants + Opacity + SphericalHarmonics + CylinderLighting + LineVoxel +
     LineEvaluationVertex;
 }

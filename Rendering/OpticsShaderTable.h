@@ -93,7 +93,10 @@ enum class OpticsFeature
   SweepClippingNone,
   IsosurfacesNone,
   Isosurfaces,
-  Lines, // anisotropic voxels are drawn in place of VTK's samples
+  EmptySpace, // what sees nothing is skipped
+  EmptySpaceOfSamples,
+  EmptySpaceOfSegments, // of the integral's
+  Lines,                // anisotropic voxels are drawn in place of VTK's samples
   LineBlock,
   LineBlockNone,
   LineAmbient,
@@ -134,7 +137,7 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 /**
  * The shaders that evaluate anisotropic voxels of an order and a number of line types.
  */
-std::string LineEvaluationVertexShader(int order, int types, bool hasProduct);
+std::string LineEvaluationVertexShader(int order, int types);
 std::string LineEvaluationFragmentShader();
 
 /**

@@ -4,6 +4,7 @@
 #include "vtkOpticsVolumeMapper.h"
 
 #include "DefaultOptics.h"
+#include "EmptySpaceTerm.h"
 #include "FrameTerm.h"
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
@@ -59,13 +60,14 @@ public:
   IntegrationTerm Integration{ this->Frames };
   LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
   MultiSampleTerm MultiSample{ this->Frames };
+  EmptySpaceTerm EmptySpace;
   LineVoxelTerm Lines;
   OcclusionTerm Occlusion;
   ShadowTerm Shadows;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
     &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines, &this->Occlusion,
-    &this->Shadows };
-  vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of lines whose property is VTK's
+    &this->Shadows, &this->EmptySpace };
+  vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of volumes whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
@@ -78,7 +80,7 @@ std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const Op
 {
   std::vector<OpticsTerm*> active;
   this->ActiveTerms.clear();
-  if (!scene.Optics || !scene.Scalars || !scene.Window)
+  if (!scene.Scalars || !scene.Window)
   {
     return active;
   }
@@ -140,11 +142,8 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
       " that this VTK's volume shader holds: the last ones are left out.");
   }
   OpticsScene scene = MakeOpticsScene(this, renderer, volume);
+  scene.Optics = scene.Optics ? scene.Optics : this->Terms->PlainOptics.Get();
   const bool hasLines = scene.Scalars && HasLineVoxels(scene);
-  if (hasLines && !scene.Optics)
-  {
-    scene.Optics = this->Terms->PlainOptics;
-  }
   const std::vector<OpticsTerm*> active = this->Terms->Prepare(scene);
   if (active.empty() && hasLines)
   {
@@ -396,6 +395,18 @@ void vtkOpticsVolumeMapper::GetLoadedScalarRange(int component, double range[2])
   const auto& loaded = this->AssembledInputs[0].Texture->ScalarRange[component];
   range[0] = loaded[0];
   range[1] = loaded[1];
+}
+
+//------------------------------------------------------------------------------
+bool vtkOpticsVolumeMapper::HasPartitions()
+{
+  const auto input = this->AssembledInputs.find(0);
+  if (input == this->AssembledInputs.end() || !input->second.Texture)
+  {
+    return false;
+  }
+  const auto& partitions = input->second.Texture->GetPartitions();
+  return partitions[0] > 1 || partitions[1] > 1 || partitions[2] > 1;
 }
 
 //------------------------------------------------------------------------------

@@ -320,6 +320,25 @@ public:
 
   ///@{
   /**
+   * Whether rays skip what has no opacity. The picture does not change. Served by a grid of the scalars' ranges
+   * (vtkMacrocellGrid), found once for the scalars, and used only where enough of the volume is empty; scenes
+   * that it does not support (docs/support.md) are drawn without. Default on.
+   */
+  vtkSetMacro(SkipEmptySpace, bool);
+  vtkGetMacro(SkipEmptySpace, bool);
+  vtkBooleanMacro(SkipEmptySpace, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Voxels of a cell of that grid on each axis, in [2, 64]. Default 8.
+   */
+  void SetMacrocellSize(int voxels);
+  vtkGetMacro(MacrocellSize, int);
+  ///@}
+
+  ///@{
+  /**
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
    * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
@@ -379,6 +398,7 @@ public:
   void Say(const std::string& message); // as a warning, once
   bool IsInteractive(vtkRenderer* renderer);
   void GetLoadedScalarRange(int component, double range[2]);
+  bool HasPartitions();                             // of the loaded volume
   double GetFrameSampleDistance(vtkVolume* volume); // whatever VTK adjusts it to
   int GetNumberOfBlocks();
   vtkTextureObject* GetVolumeTexture();     // of the block that is drawn next
@@ -420,6 +440,8 @@ private:
   std::map<int, double> LineRadiusScales, LineOpacityScales;
   vtkSmartPointer<vtkPiecewiseFunction> LineOpacityFunction;
   int Quality = Custom;
+  bool SkipEmptySpace = true;
+  int MacrocellSize = 8;
 
   class Implementation;
   std::unique_ptr<Implementation> Terms;

@@ -5,6 +5,8 @@
 
 #include "GalleryList.h"
 
+#include <cmath>
+
 namespace
 {
 constexpr int PictureSize = 416;
@@ -116,7 +118,7 @@ GallerySection TypesSection()
   for (const double opacity : { 0.04, 0.15, 0.6 })
   {
     lines.OpacityScale = opacity;
-    const std::string percent = std::to_string(static_cast<int>(100.0 * opacity + 0.5));
+    const std::string percent = std::to_string(std::lround(100.0 * opacity));
     section.Pictures.push_back(
       Picture("ring-opacity-" + percent, "Opacity times " + percent + " %", lines, view,
         opacity < 0.1     ? "Global structure: how many lines lie behind each other."

@@ -6,6 +6,8 @@
 #include "vtkOpticsVolumeMapper.h"
 
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
@@ -58,6 +60,21 @@ vtkSmartPointer<vtkLight> MakeLight(const LineSettings& settings, const LightSet
   light->SetLightTypeToCameraLight();
   light->SetPosition(
     std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation));
+  return light;
+}
+
+// A row of the voxels' field data LineLights: kind, direction to the light, diffuse and specular colour.
+vtkSmartPointer<vtkLight> ReadLight(const double* numbers)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  const bool isInWorld = numbers[0] == 2.0, isFixedToEye = numbers[0] == 1.0;
+  isInWorld        ? light->SetLightTypeToSceneLight()
+    : isFixedToEye ? light->SetLightTypeToCameraLight()
+                   : light->SetLightTypeToHeadlight();
+  light->SetPosition(numbers + 1);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetDiffuseColor(numbers + 4);
+  light->SetSpecularColor(numbers + 7);
   return light;
 }
 }
@@ -133,11 +150,16 @@ void LineScene::SetOpacityScale(int type, double scale)
   this->Scene->GetMapper()->SetLineOpacityScale(type, scale);
 }
 
-void LineScene::SetLight(const LineSettings& settings, const LightSettings& light)
+void LineScene::LightAs(vtkImageData* voxels)
 {
   vtkRenderer* renderer = this->Scene->GetRenderer();
   renderer->RemoveAllLights();
-  renderer->AddLight(MakeLight(settings, light));
+  vtkDataArray* lights = voxels->GetFieldData()->GetArray("LineLights");
+  for (vtkIdType i = 0; lights && i < lights->GetNumberOfTuples(); ++i)
+  {
+    renderer->AddLight(ReadLight(lights->GetTuple(i)));
+  }
+  renderer->SetAutomaticLightCreation(0); // there may be ambient light alone
 }
 
 double LineScene::Render()

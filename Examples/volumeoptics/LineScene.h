@@ -54,8 +54,8 @@ public:
   vtkAnisotropicVoxelEvaluator* GetEvaluator() { return this->Evaluator; }
   void SetRadiusScale(int type, double scale);
   void SetOpacityScale(int type, double scale);
-  // Lights the rest of the scene as SetUpVoxelizer() did the lines.
-  void SetLight(const LineSettings& settings, const LightSettings& light);
+  // Lights the rest of the scene as the lines are, by what their voxels say.
+  void LightAs(vtkImageData* voxels);
   VolumeScene& GetScene() { return *this->Scene; }
   // Seconds from the call to the finished frame, evaluation included.
   double Render();

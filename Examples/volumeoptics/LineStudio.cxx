@@ -102,8 +102,9 @@ vtkImageData* LineStudio::VoxelsOf(const LinePicture& lines)
 LineStudio::Result LineStudio::Draw(
   const LinePicture& lines, const PictureSettings& picture, const std::string& path)
 {
-  LineScene scene(this->VoxelsOf(lines), picture, this->Kind);
-  scene.SetLight(SettingsOf(lines), LightSettings());
+  vtkImageData* voxels = this->VoxelsOf(lines);
+  LineScene scene(voxels, picture, this->Kind);
+  scene.LightAs(voxels);
   Result result;
   if (lines.AsTubes)
   {

@@ -167,7 +167,7 @@ void Draw(LinesOptions& options)
     WriteVoxels(voxels, options.VoxelFile);
   }
   LineScene scene(voxels, options.Picture, OffScreenWindow(options.Headless), options.Renderer);
-  scene.SetLight(options.Lines, options.Picture.Lights[0]);
+  scene.LightAs(voxels);
   scene.SetRadiusScale(0, options.Lines.RadiusScale);
   const double seconds = scene.Render();
   scene.GetScene().WritePng(options.Output);
@@ -198,7 +198,7 @@ void AddMaterial(CLI::App& command, LinesOptions& options)
     ->group(group);
   command
     .add_option("--world-light", options.WorldLight,
-      "Direction x,y,z to a light fixed in the world, instead of --light")
+      "Direction x,y,z to a light fixed in the world, instead of --light; voxels of a file keep theirs")
     ->delimiter(',')
     ->expected(3)
     ->group(group);

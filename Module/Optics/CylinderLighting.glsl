@@ -151,7 +151,7 @@ float MeanDepthOfShare(float q)
       q * (0.13333333333333333333 + q * (0.09817477042468103870 + q * 0.07619047619047619048)))));
   }
   float across = sqrt(1.0 - q * q);
-  return 1.0 + (QuarterTurn - across * (QuarterTurn + asin(q))) / q;
+  return 1.0 + (QuarterTurn - across * (QuarterTurn + atan(q, across))) / q;
 }
 
 // Least and largest depth that segments can have in a direction V, told from the parts of degree 0 and

@@ -7,14 +7,12 @@
 // Truncated sums below this share of the mean hold more truncation than light.
 const float LeastLineShare = 0.02;
 
-// Optical depth over the mean chord of a voxel. depth: its sum, kept within DepthBounds(); beyond: what the
-// exact product of eq. 7 adds to it; degree0, degree2: parts of the depth. radiusScale >= 0, opacityScale in
-// [0, 1]. 0 where there is no line.
-float DepthOfLines(
-  float depth, float beyond, float degree0, float degree2, float radiusScale, float opacityScale)
+// Optical depth over the mean chord of a voxel. depth: its sum, kept within DepthBounds(); degree0, degree2: parts
+// of the depth. radiusScale >= 0, opacityScale in [0, 1]. 0 where there is no line.
+float DepthOfLines(float depth, float degree0, float degree2, float radiusScale, float opacityScale)
 {
   vec2 bounds = DepthBounds(degree0, degree2);
-  float whole = (clamp(depth, bounds.x, bounds.y) + max(beyond, 0.0)) * radiusScale;
+  float whole = clamp(depth, bounds.x, bounds.y) * radiusScale;
   float scaled = opacityScale < 1.0 ? OpticalDepth(opacityScale * OneMinusExp(whole)) : whole;
   return degree0 > 0.0 ? scaled : 0.0;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Vertex shader of the atlas of evaluated voxels: a vertex is a voxel at one of its places there. Behind the formulas of
-// Opacity, SphericalHarmonics, CylinderLighting and LineVoxel, and OPTICS_LINE_ORDER, _TYPES, _PRODUCT.
+// Opacity, SphericalHarmonics, CylinderLighting and LineVoxel, and OPTICS_LINE_ORDER, _TYPES.
 
 flat out vec4 evaluated;
 
@@ -18,9 +18,6 @@ uniform usampler2D in_voxels;
 uniform isampler2D in_starts;
 uniform usampler2D in_harmonics;
 uniform sampler2D in_coefficients;
-#if OPTICS_LINE_PRODUCT
-uniform sampler2D in_products;
-#endif
 
 uniform vec3 in_scales[OPTICS_LINE_TYPES]; // of radius, of opacity, of the stored coefficients
 uniform vec3 in_leastColors[OPTICS_LINE_TYPES];
@@ -77,7 +74,6 @@ vec4 LinesOfType(int type, int voxel)
   vec4 sums = vec4(0.0);
   vec4 mean = vec4(0.0);
   float degree2 = 0.0;
-  float product = 0.0;
   for (int i = first; i < end; ++i)
   {
     int harmonic = int(texelFetch(in_harmonics, PlaceInRows(i, harmonicRows), 0).r);
@@ -85,15 +81,10 @@ vec4 LinesOfType(int type, int voxel)
     sums += part;
     mean = harmonic == 0 ? part : mean;
     degree2 += harmonic >= 4 && harmonic < 9 ? part.a : 0.0;
-#if OPTICS_LINE_PRODUCT
-    product += g_basis[harmonic] *
-      texelFetch(in_products, PlaceInRows(i, textureSize(in_products, 0).x), 0).r;
-#endif
   }
   float scale = in_scales[type].z;
-  float beyond = OPTICS_LINE_PRODUCT == 1 ? product - sums.a : 0.0;
   float depth = DepthOfLines(
-    scale * sums.a, scale * beyond, scale * mean.a, scale * degree2, in_scales[type].x, in_scales[type].y);
+    scale * sums.a, scale * mean.a, scale * degree2, in_scales[type].x, in_scales[type].y);
   vec3 color = ColorOfLines(
     vec3(sums), sums.a, vec3(mean), max(mean.a, 1.0e-30), in_leastColors[type], in_largestColors[type]);
   return vec4(color * depth, depth);

@@ -503,6 +503,7 @@ private:
 
   void AddLineVoxels()
   {
+    this->AddShares();
     FunctionCase c;
     for (double degree0 : { -1.0, 0.0, 1e-12, 0.5, 100.0 })
     {
@@ -513,7 +514,6 @@ private:
           for (double opacityScale : { 0.0, 0.25, 0.9, 1.0 })
           {
             c.Function = 52;
-            c.Normal = glm::vec3(0.1 * share * degree0, 0.0, 0.0);
             c.Major = glm::vec3(share < 0.5 ? 1.0 : 3.0, opacityScale, 0.0);
             c.P = glm::vec3(share * degree0, degree0, degree2 * degree0);
             this->Cases.push_back(c);
@@ -530,6 +530,17 @@ private:
           this->Cases.push_back(c);
         }
       }
+    }
+  }
+
+  // The series ends and the closed form begins at 0.1.
+  void AddShares()
+  {
+    std::vector<double> shares = Powers(1e-20, 1.0, 40);
+    shares.insert(shares.end(), { 0.0, 0.0999, 0.1, 0.1001, 0.5, 0.9, 0.999, 0.9999999, 1.0 });
+    for (double share : shares)
+    {
+      this->Add(56, share);
     }
   }
 

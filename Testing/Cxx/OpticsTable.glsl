@@ -273,15 +273,19 @@ vec4 EvaluateLineVoxel(int function, FunctionInput i)
 {
   if (function == 52)
   {
-    return OneNumber(DepthOfLines(i.p.x, i.normal.x, i.p.y, i.p.z, i.major.x, i.major.y));
+    return OneNumber(DepthOfLines(i.p.x, i.p.y, i.p.z, i.major.x, i.major.y));
   }
   vec3 color = ColorOfLines(i.normal, i.p.x, i.toLight, i.p.y, i.toViewer, i.major); // 53
   return vec4(color.x, color.y, color.z, 0.0);
 }
 
-vec4 EvaluateOwnVisibility(int function, FunctionInput i)
+vec4 EvaluateLast(int function, FunctionInput i)
 {
-  return OneNumber(function == 54 ? StretchVisibility(i.p.x, i.p.y) : MeanWayOut(i.p.x)); // 54, 55
+  if (function == 54)
+  {
+    return OneNumber(StretchVisibility(i.p.x, i.p.y));
+  }
+  return OneNumber(function == 55 ? MeanWayOut(i.p.x) : MeanDepthOfShare(i.p.x)); // 55, 56
 }
 
 vec4 Evaluate(int function, FunctionInput i)
@@ -314,5 +318,5 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateVisibility(function, i);
   }
-  return function < 54 ? EvaluateLineVoxel(function, i) : EvaluateOwnVisibility(function, i);
+  return function < 54 ? EvaluateLineVoxel(function, i) : EvaluateLast(function, i);
 }

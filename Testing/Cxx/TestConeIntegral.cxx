@@ -115,7 +115,9 @@ void CheckPicture(Check& check)
   double most = 0.0, least = 1.0;
   for (int i = 0; i < 256; ++i)
   {
-    const glm::dvec4 pixel = IntegrateRay(scene, RayThrough(scene, i % 16 + 0.5, i / 16 + 0.5));
+    const int column = i % 16;
+    const int row = i / 16;
+    const glm::dvec4 pixel = IntegrateRay(scene, RayThrough(scene, column + 0.5, row + 0.5));
     check.Near("pixel " + std::to_string(i), pixel.a > 0.0 ? pixel.r / pixel.a : -1.0, means[i], 1e-9);
     most = std::max(most, means[i]);
     least = std::min(least, means[i]);

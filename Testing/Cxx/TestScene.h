@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A small scene for tests of the mapper: an ellipsoid, 150 x 150 pixels, jitter off, fixed step.
+// A small scene for tests of the mapper: an ellipsoid, 150 x 150 pixels, jitter off, fixed step. Empty space is not
+// skipped, so that terms can be counted; TestEmptySpace switches it on, and compares.
 
 #ifndef TestScene_h
 #define TestScene_h
@@ -46,6 +47,7 @@ struct TestScene
     this->Mapper->SetAutoAdjustSampleDistances(0);
     this->Mapper->SetSampleDistance(0.02F);
     this->Mapper->SetUseJittering(0);
+    this->Optics->SkipEmptySpaceOff();
 
     this->Opacity->AddPoint(0.4, 0.0);
     this->Opacity->AddPoint(0.6, 0.9);

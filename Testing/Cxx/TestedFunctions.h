@@ -193,10 +193,10 @@ const std::vector<TestedFunction>& TestedFunctions()
           c.P.z;
       },
       3.0, 8.0 },
-    // depth and bounds as above, times the radius; -ln(1 - s (1 - exp(-x))) takes the rounding of what is left of 1
+    // bounds as above, times the radius; -ln(1 - s (1 - exp(-x))) takes the rounding of what is left of 1
     { "DepthOfLines",
       [](const FunctionCase& c, const glm::dvec4& value) {
-        const double bounds = 10.0 * std::max(double(c.P.y), 0.0) + std::abs(double(c.Normal.x));
+        const double bounds = 10.0 * std::max(double(c.P.y), 0.0);
         const double left = c.Major.y < 1.0f ? std::max(1.0 - double(c.Major.y), std::exp(-value.x)) : 1.0;
         return bounds * c.Major.x + 1.0 / left * (value.x > 0.0 ? 1.0 : 0.0);
       },
@@ -206,6 +206,12 @@ const std::vector<TestedFunction>& TestedFunctions()
     { "StretchVisibility", one, 60.0, 160.0 },
     // the logarithm of a number next to 1, at least 0.05 away
     { "MeanWayOut", one, 40.0, 80.0 },
+    // the closed form cancels to pi/4 q of terms of 1 + pi/2, over q >= 0.1; the root takes 1/sqrt(1 - q) of a rounding
+    { "MeanDepthOfShare",
+      [](const FunctionCase& c, const glm::dvec4& value) {
+        return c.P.x < 0.1f ? value.x : 1.0 / c.P.x / std::sqrt(std::max(1.0 - double(c.P.x), 1e-7));
+      },
+      8.0, 32.0 },
   };
   return functions;
 }

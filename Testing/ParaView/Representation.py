@@ -114,6 +114,7 @@ METHODS = {
     "lighting-file": dict(UseLightingTransferFunction=1, LightingFile=os.path.join(Checks.DATA, "lighting.json")),
     "rules": dict(MultiSampleFile=os.path.join(Checks.DATA, "rules.json")),
     "occlusion": dict(Occlusion=1, Ambient=0.8, Diffuse=0.1),
+    "shadows": dict(Shadows=1),
     "draft": dict(ReflectanceModel="Ward", OpticsQuality="Draft"),
 }
 WITH_BASELINE = ("ward", "data-space", "lighting")

@@ -4,6 +4,7 @@
 #include "vtkOpticsMultiBlockVolumeMapper.h"
 
 #include "BlockOrder.h"
+#include "PieceOfVolume.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -13,14 +14,13 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
-#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
-#include "vtkShaderProperty.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -55,18 +55,6 @@ vtkSmartPointer<vtkDataArray> MakeMagnitude(vtkDataArray* vectors)
     magnitude->SetTuple1(tuple, std::sqrt(square));
   }
   return magnitude;
-}
-
-// The pictures of several processes are composited in bytes, without saturation: where one is brighter than it is
-// opaque, which light on volumes may be, sums would pass 255 and begin at 0 again.
-void LimitLightToOpacity(vtkVolume* volume)
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
-  {
-    volume->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Base::Exit", true,
-      "//VTK::Base::Exit\n  g_fragColor.rgb = min(g_fragColor.rgb, vec3(g_fragColor.a));\n", false);
-  }
 }
 
 // The eye in the volume's own coordinates, homogeneous.
@@ -138,6 +126,17 @@ void vtkOpticsMultiBlockVolumeMapper::SetTransfer2DYAxisArray(const char* name)
 {
   this->Transfer2DYAxisName = name ? name : "";
   this->Superclass::SetTransfer2DYAxisArray(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsMultiBlockVolumeMapper::SetWholeExtent(const int extent[6])
+{
+  if (!std::equal(extent, extent + 6, this->WholeExtent))
+  {
+    std::copy(extent, extent + 6, this->WholeExtent);
+    this->Loaded.clear();
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -236,6 +235,10 @@ void vtkOpticsMultiBlockVolumeMapper::AddBlock(vtkDataSet* data, vtkVolume* volu
   }
   block->SetInputDataObject(input);
   this->SetKnobs(block);
+  if (auto* piece = vtkImageData::SafeDownCast(input); piece && DrawsPieces())
+  {
+    TakeSampleDistanceOf(this->WholeExtent, piece, block);
+  }
   this->Blocks.push_back(block);
 }
 
@@ -316,12 +319,20 @@ void vtkOpticsMultiBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* v
     this->Loaded = input;
   }
   this->SortBlocks(renderer, volume);
-  LimitLightToOpacity(volume);
+  const bool isPiece = DrawsPieces();
+  if (isPiece)
+  {
+    LimitLightToOpacity(volume);
+  }
   const bool isInteractive = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
   for (const Mapper& block : this->Blocks)
   {
     this->PassSettings(block);
     block->SetAutoAdjustSampleDistances(isInteractive);
+    if (isPiece)
+    {
+      AlignSamples(this->WholeExtent, vtkImageData::SafeDownCast(block->GetInput()), volume);
+    }
     block->Render(renderer, volume);
   }
 }
@@ -342,6 +353,12 @@ void vtkOpticsMultiBlockVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "Transfer2DYAxisName: " << this->Transfer2DYAxisName << "\n";
+  os << indent << "WholeExtent:";
+  for (const int index : this->WholeExtent)
+  {
+    os << " " << index;
+  }
+  os << "\n";
   os << indent << "Number of blocks: " << this->Blocks.size() << "\n";
   os << indent << "Optics:\n";
   this->Optics->PrintSelf(os, indent.GetNextIndent());

@@ -46,6 +46,12 @@ public:
    */
   void SetTransfer2DYAxisArray(const char* name);
 
+  /**
+   * The extent of the whole volume, of which several processes draw a piece each: their samples lie where
+   * those of one process lie. Default empty (0, -1, ...): each block's own.
+   */
+  void SetWholeExtent(const int extent[6]);
+
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -90,6 +96,7 @@ private:
   std::map<std::string, Knob> Knobs;
   std::map<std::string, Knob> PresetKnobs;
   std::string Transfer2DYAxisName;
+  int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
   int Quality = 0;
 };
 

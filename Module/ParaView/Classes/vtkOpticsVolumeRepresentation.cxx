@@ -144,6 +144,7 @@ void vtkOpticsVolumeRepresentation::UpdateMapperParameters()
   const bool hasArray =
     this->UseTransfer2D && !this->UseGradientForTransfer2D && !this->ColorArray2Name.empty();
   this->GetBlocks()->SetTransfer2DYAxisArray(hasArray ? this->ColorArray2Name.c_str() : nullptr);
+  this->GetBlocks()->SetWholeExtent(this->WholeExtent);
   this->UpdateLightingTransferFunction();
   this->UpdateMultiSampleClassification();
 }

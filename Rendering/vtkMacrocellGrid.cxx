@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkMacrocellGrid.h"
+
+#include "MacrocellDistances.h"
+#include "MacrocellRanges.h"
+#include "VisibleScalars.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+
+vtkStandardNewMacro(vtkMacrocellGrid);
+
+namespace
+{
+const int NumberOfBatches = 25; // progress is told between two of them
+}
+
+//------------------------------------------------------------------------------
+vtkMacrocellGrid::vtkMacrocellGrid() = default;
+
+//------------------------------------------------------------------------------
+vtkMacrocellGrid::~vtkMacrocellGrid() = default;
+
+//------------------------------------------------------------------------------
+void vtkMacrocellGrid::SetScalars(vtkDataArray* scalars)
+{
+  if (this->Scalars != scalars)
+  {
+    this->Scalars = scalars;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkMacrocellGrid::GetScalars()
+{
+  return this->Scalars;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkMacrocellGrid::Index(int i, int j, int k) const
+{
+  return (static_cast<std::size_t>(k) * this->GridSize[1] + j) * this->GridSize[0] + i;
+}
+
+//------------------------------------------------------------------------------
+void vtkMacrocellGrid::GetCellRange(int i, int j, int k, double range[2])
+{
+  range[0] = this->Lowest[this->Index(i, j, k)];
+  range[1] = this->Highest[this->Index(i, j, k)];
+}
+
+//------------------------------------------------------------------------------
+bool vtkMacrocellGrid::GetCellHasNonFinite(int i, int j, int k)
+{
+  return this->NonFinite[this->Index(i, j, k)] != 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkMacrocellGrid::GetCellDistance(int i, int j, int k)
+{
+  return this->Distances[this->Index(i, j, k)];
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkMacrocellGrid::GetMemorySize()
+{
+  return this->Lowest.size() * 2 * sizeof(float) + this->NonFinite.size() + this->Distances.size();
+}
+
+//------------------------------------------------------------------------------
+bool vtkMacrocellGrid::IsUsable()
+{
+  const int* size = this->Dimensions;
+  return this->Scalars && this->Scalars->GetDataType() != VTK_BIT &&
+    std::min({ size[0], size[1], size[2] }) > 0 &&
+    static_cast<vtkIdType>(size[0]) * size[1] * size[2] == this->Scalars->GetNumberOfTuples() &&
+    this->Component < this->Scalars->GetNumberOfComponents();
+}
+
+//------------------------------------------------------------------------------
+bool vtkMacrocellGrid::Update()
+{
+  const vtkMTimeType scalarsTime = this->Scalars ? this->Scalars->GetMTime() : 0;
+  if (this->UpdateTime > this->GetMTime() && this->UpdateTime > scalarsTime)
+  {
+    return !this->Lowest.empty();
+  }
+  this->UpdateTime.Modified();
+  const bool isUsable = this->IsUsable();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->GridSize[axis] = isUsable ? (this->Dimensions[axis] + this->CellSize - 1) / this->CellSize : 0;
+  }
+  const std::size_t cells = this->Index(0, 0, this->GridSize[2]);
+  this->Lowest.assign(cells, 0.0F);
+  this->Highest.assign(cells, 0.0F);
+  this->NonFinite.assign(cells, 0);
+  this->Distances.assign(cells, 0);
+  this->EmptyFraction = 0.0;
+  if (!isUsable)
+  {
+    vtkErrorMacro(<< "There are no scalars of dimensions " << this->Dimensions[0] << " x "
+                  << this->Dimensions[1] << " x " << this->Dimensions[2] << " with a component "
+                  << this->Component << ". Set scalars, dimensions and component that belong together.");
+    return false;
+  }
+  this->InvokeEvent(vtkCommand::StartEvent);
+  this->FindRanges();
+  this->InvokeEvent(vtkCommand::EndEvent);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+template <typename Scalar>
+void FindLayers(const volumeoptics::MacrocellLayer<Scalar>& layers, vtkIdType begin, vtkIdType end,
+  std::vector<float>& lowest, std::vector<float>& highest, std::vector<unsigned char>& nonFinite)
+{
+  vtkSMPTools::For(begin, end, 1, [&](vtkIdType first, vtkIdType last) {
+    for (vtkIdType layer = first; layer < last; ++layer)
+    {
+      const volumeoptics::MacrocellRow cells = layers.Find(static_cast<int>(layer));
+      const std::size_t offset = layer * cells.Lowest.size();
+      std::copy(cells.Lowest.begin(), cells.Lowest.end(), lowest.begin() + offset);
+      std::copy(cells.Highest.begin(), cells.Highest.end(), highest.begin() + offset);
+      std::copy(cells.NonFinite.begin(), cells.NonFinite.end(), nonFinite.begin() + offset);
+    }
+  });
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkMacrocellGrid::FindRanges()
+{
+  const vtkIdType layers = this->GridSize[2];
+  const vtkIdType batch = std::max<vtkIdType>(layers / NumberOfBatches, 2);
+  const int components = this->Scalars->GetNumberOfComponents();
+  for (vtkIdType begin = 0; begin < layers; begin += batch)
+  {
+    const vtkIdType end = std::min(begin + batch, layers);
+    switch (this->Scalars->GetDataType())
+    {
+      vtkTemplateMacro(
+        FindLayers(volumeoptics::MacrocellLayer<VTK_TT>(
+                     static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)) + this->Component,
+                     components, this->Dimensions, this->CellSize),
+          begin, end, this->Lowest, this->Highest, this->NonFinite));
+    }
+    double progress = static_cast<double>(end) / layers;
+    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMacrocellGrid::Classify(const VisibleScalars& visible, const VisibleScalars& visibleWhereConstant)
+{
+  const bool showsNaN = visible.HasNaN();
+  std::atomic<vtkIdType> empty{ 0 };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Lowest.size()), [&](vtkIdType begin, vtkIdType end) {
+    vtkIdType count = 0;
+    for (vtkIdType cell = begin; cell < end; ++cell)
+    {
+      const float low = this->Lowest[cell], high = this->Highest[cell];
+      const VisibleScalars& seen = low == high ? visibleWhereConstant : visible;
+      const bool hidesNumbers = low > high || !seen.HasAny(low, high);
+      const bool isEmpty = hidesNumbers && (this->NonFinite[cell] == 0 || !showsNaN);
+      this->Distances[cell] = isEmpty ? 1 : 0;
+      count += isEmpty ? 1 : 0;
+    }
+    empty += count;
+  });
+  this->EmptyFraction = this->Lowest.empty() ? 0.0 : static_cast<double>(empty) / this->Lowest.size();
+  volumeoptics::FindMacrocellDistances(this->GridSize, this->Distances);
+  this->ClassifyTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMacrocellGrid::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CellSize: " << this->CellSize << "\n";
+  os << indent << "Scalars: " << this->Scalars << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
+     << this->Dimensions[2] << "\n";
+  os << indent << "Component: " << this->Component << "\n";
+  os << indent << "GridSize: " << this->GridSize[0] << " " << this->GridSize[1] << " " << this->GridSize[2]
+     << "\n";
+  os << indent << "EmptyFraction: " << this->EmptyFraction << "\n";
+  os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
+}
