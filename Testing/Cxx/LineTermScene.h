@@ -8,6 +8,7 @@
 
 #include "FloatTarget.h"
 #include "LineTesting.h"
+#include "WindowPixels.h"
 #include "vtkAnalyticLineSource.h"
 #include "vtkOpticsVolumeMapper.h"
 
@@ -16,7 +17,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -70,15 +70,7 @@ struct LineTermScene
     this->Camera->SetClippingRange(1.0, 10.0);
   }
 
-  std::vector<unsigned char> Render()
-  {
-    this->Window->Render();
-    const int* size = this->Window->GetSize();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-    return std::vector<unsigned char>(
-      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
-  }
+  std::vector<unsigned char> Render() { return RenderPixels(this->Window); }
   std::vector<float> RenderFloat() { return ::RenderFloat(this->Window, this->Renderer); }
 
   vtkNew<vtkOpticsVolumeMapper> Mapper;

@@ -6,6 +6,7 @@
 
 #include "LineTesting.h"
 #include "Optics.h"
+#include "WindowPixels.h"
 
 #include "vtkAnalyticLineSource.h"
 #include "vtkCamera.h"
@@ -13,7 +14,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -53,11 +53,7 @@ struct Scene
     this->Evaluator->SetMarkOpacityRange(this->MarksRange);
     this->Mapper->SetScalarOpacityRangeType(
       this->MarksRange ? vtkGPUVolumeRayCastMapper::SCALAR : vtkGPUVolumeRayCastMapper::NATIVE);
-    this->Window->Render();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    this->Window->GetPixelData(0, 0, 149, 149, 0, pixels);
-    return std::vector<unsigned char>(
-      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
+    return RenderPixels(this->Window);
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include "Check.h"
 #include "FloatTarget.h"
+#include "WindowPixels.h"
 #include "vtkAnalyticVolumeSource.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkOpticsVolumeMapper.h"
@@ -22,7 +23,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderWindow.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -72,15 +72,7 @@ struct TestScene
     this->Renderer->ResetCameraClippingRange();
   }
 
-  std::vector<unsigned char> Render()
-  {
-    this->Window->Render();
-    const int* size = this->Window->GetSize();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-    return std::vector<unsigned char>(
-      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
-  }
+  std::vector<unsigned char> Render() { return RenderPixels(this->Window); }
 
   std::vector<float> RenderFloat() { return ::RenderFloat(this->Window, this->Renderer); }
 

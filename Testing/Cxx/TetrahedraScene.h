@@ -9,6 +9,7 @@
 
 #include "Check.h"
 #include "FloatTarget.h"
+#include "WindowPixels.h"
 #include "vtkDataSpaceProjectedTetrahedraMapper.h"
 #include "vtkDataSpaceRayCastFunction.h"
 #include "vtkDataSpaceRayIntegrator.h"
@@ -25,7 +26,6 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridVolumeRayCastMapper.h"
 #include "vtkVolume.h"
@@ -142,15 +142,7 @@ struct TetrahedraScene
     this->Property->SetScalarOpacityUnitInterval(1.0);
   }
 
-  std::vector<unsigned char> Render()
-  {
-    this->Window->Render();
-    const int* size = this->Window->GetSize();
-    vtkNew<vtkUnsignedCharArray> pixels;
-    this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-    return std::vector<unsigned char>(
-      pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues());
-  }
+  std::vector<unsigned char> Render() { return RenderPixels(this->Window); }
 
   // The opacity of a pixel, given from its lower left.
   double RenderOpacity(int x, int y)
