@@ -29,3 +29,7 @@ row data-space 400 "opacity by length=coulomb-standard" "by difference of the da
   "with silhouettes=coulomb-data-exact" "and light=coulomb-lit-data-exact"
 row lighting 400 "no light=lighting-none" "uniform light=lighting-uniform" "opacity raised=lighting-opacity" \
   "lighting transfer function=lighting-chosen"
+row occlusion 400 "Lambert=occlusion-tubes-lambert" "occlusion=occlusion-tubes" "no shadows=shadow-bone-off" \
+  "soft shadows=shadow-bone-soft"
+row lines 400 "a million segments as tubes, 100 samples a pixel=lines-spirals-1m-tubes" "as voxels=lines-spirals-1m" \
+  "10 million, thin=lines-ring-secondaries" "thick=lines-ring-radii"
