@@ -36,9 +36,9 @@ FILTERS = {
     "half": simple.SobelNormals(Input=source, ResolutionFactor=0.5),
     "histogram": simple.GradientAlignedHistogram(Input=source, NumberOfBins=16, ScalarRange=[1.0, 0.0]),
 }
-# Expat 2.5.0-1+deb12u2 reads no raw bytes behind the XML, which ParaView writes otherwise.
+# With expat 2.5.0-1+deb12u2 no file is read whose arrays are appended behind the XML, as ParaView writes otherwise.
 for key, result in FILTERS.items():
-    simple.SaveData(os.path.join(Checks.OUTPUT, name(key) + ".pvti"), proxy=result, EncodeAppendedData=1)
+    simple.SaveData(os.path.join(Checks.OUTPUT, name(key) + ".pvti"), proxy=result, DataMode="Binary")
 
 
 def draw_methods():
