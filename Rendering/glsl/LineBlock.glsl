@@ -47,9 +47,9 @@ float opticsStepsOverNothing(vec3 position, vec3 direction)
   vec3 wayInBlock = vec3(in_opticsLinesToBlock * vec4(direction, 0.0));
   vec2 steps = opticsStepsToBlock(inBlock, wayInBlock);
   bool isWithin = opticsIsWithin(inBlock, in_opticsBlockDimensions);
-  float ofBlock = opticsEmptySteps(
+  float ofBlock = opticsEmptyLineSteps(
     in_opticsBlockBricks, inBlock, wayInBlock, in_opticsBlockDimensions);
-  float ofLines = opticsEmptySteps(
+  float ofLines = opticsEmptyLineSteps(
     in_opticsLineBricks, position, direction, in_opticsLineDimensions);
   float toFace = max(isWithin ? ceil(steps.y) : (steps.x <= steps.y ? ceil(steps.x) : 1.0e6), 1.0);
   return min(isWithin ? ofBlock : ofLines, toFace);

@@ -13,6 +13,6 @@ vec4 opticsLinesAt(vec3 position)
 
 float opticsStepsOverNothing(vec3 position, vec3 direction)
 {
-  return opticsEmptySteps(
+  return opticsEmptyLineSteps(
     in_opticsLineBricks, position, direction, in_opticsLineDimensions);
 }

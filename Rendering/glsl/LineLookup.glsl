@@ -47,7 +47,7 @@ vec4 opticsLinesIn(usampler3D bricks, sampler2D atlas, vec3 position, vec3 dimen
 
 // Whole steps to the first place beyond the brick that holds the position, if nothing is drawn in it; otherwise 0.
 // Both in voxels.
-float opticsEmptySteps(usampler3D bricks, vec3 position, vec3 direction, vec3 dimensions)
+float opticsEmptyLineSteps(usampler3D bricks, vec3 position, vec3 direction, vec3 dimensions)
 {
   vec3 tile = opticsLineTile(position, dimensions);
   vec3 last = ceil(dimensions / OpticsLineBrick) - 1.0;

@@ -12,7 +12,10 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 
+#include <functional>
+#include <map>
 #include <numeric>
+#include <string>
 
 namespace
 {
@@ -64,6 +67,36 @@ void CheckModels(Check& check)
   scene.Property->ShadeOff();
   scene.Render();
   check.That(scene.Optics->GetActiveTerms().empty(), "unshaded: " + scene.Optics->GetActiveTerms());
+}
+
+// Whatever evaluates the light gets what is left of it.
+void CheckEvaluations(Check& check)
+{
+  using Property = vtkOpticsVolumeProperty;
+  std::map<std::string, std::function<void(ShadowScene&)>> evaluations;
+  for (const int model : { Property::BlinnPhong, Property::Ward, Property::Lafortune })
+  {
+    evaluations["model " + std::to_string(model)] = [=](ShadowScene& s) {
+      s.Property->SetReflectanceModel(model);
+      s.Property->SetSpecular(0.5);
+    };
+  }
+  evaluations["lighting table"] = [](ShadowScene& s) { LightEverywhere(s, 0.0, 0.8, 0.0); };
+  evaluations["transmitted light"] = [](ShadowScene& s) {
+    s.Property->SetIntegrationSpaceToData();
+    s.Property->SetScalarOpacityUnitInterval(0.2);
+    s.Property->SetTransmittedLightToDiffuse();
+  };
+  for (const auto& [name, apply] : evaluations)
+  {
+    ShadowScene scene;
+    scene.AddSun(1.0, 0.0, 1.0);
+    apply(scene);
+    const double shadowed = Brightness(scene.Render());
+    check.AtLeast(name + ": light that arrives", shadowed, 1.0);
+    scene.Property->ShadowsOff();
+    check.AtMost(name + " with shadows", shadowed, 0.9 * Brightness(scene.Render()));
+  }
 }
 
 void CheckLinks(Check& check)
@@ -196,6 +229,7 @@ int TestShadows(int, char*[])
   Check check;
   CheckOff(check);
   CheckModels(check);
+  CheckEvaluations(check);
   CheckLinks(check);
   CheckManyLights(check);
   CheckClipping(check);
