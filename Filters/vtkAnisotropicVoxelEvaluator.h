@@ -9,8 +9,8 @@
  * voxel and the point scalars RGBA, of four components. Colour is not multiplied by opacity; it is
  * spread into empty voxels beside occupied ones, so that a mapper's interpolation makes no dark rim.
  *
- * With the output, a mapper needs a property with dependent components and a ScalarOpacityUnitDistance of
- * 4 V/S, V and S the volume and surface of a voxel, for component 3, the opacity's: then a ray is
+ * With the output, a mapper needs a property with dependent components and, for component 3, the opacity's, a
+ * ScalarOpacityUnitDistance of OpacityLength times 4 V/S, V and S the volume and surface of a voxel: then a ray is
  * stopped in a voxel by the share of its mean cross section that lines cover. VTK's GPU mapper builds
  * its table of opacities over the range that occurs in the data and looks into it with values that
  * are a share of the type's range: opacities are wrong unless the two are the same. Either the mapper's
@@ -33,6 +33,7 @@
 
 #include <map> // for the scales
 
+class vtkAbstractVolumeMapper;
 class vtkCamera;
 class vtkLightCollection;
 class vtkPiecewiseFunction;
@@ -98,15 +99,27 @@ public:
 
   ///@{
   /**
-   * VTK_UNSIGNED_CHAR (the default) or VTK_UNSIGNED_SHORT: 0 to the type's largest value stand for [0, 1];
-   * or VTK_FLOAT. Bytes lose opacities below 1/510, unsigned shorts below 1/131070.
+   * VTK_UNSIGNED_CHAR or VTK_UNSIGNED_SHORT (the default): 0 to the type's largest value stand for [0, 1];
+   * or VTK_FLOAT. Bytes are what vtkFixedPointVolumeRayCastMapper can draw; they lose opacities below 1/510.
    */
   void SetOutputScalarType(int type);
   vtkGetMacro(OutputScalarType, int);
   ///@}
 
+  ///@{
   /**
-   * 4 V/S of the voxels of an image, in world units; 0 if it holds none.
+   * The length whose opacity the output's fourth component is, as a share of the mean chord 4 V/S of a voxel, in
+   * [1/256, 1]. A mapper interpolates opacities; those of a short length are proportional to extinction,
+   * of which nothing is lost then between a voxel and an empty one. Bytes are too coarse for it: they always hold the
+   * opacity of the whole chord. Default 1/4.
+   */
+  void SetOpacityLength(double share);
+  vtkGetMacro(OpacityLength, double);
+  ///@}
+
+  /**
+   * 4 V/S of the voxels of an image, in world units; 0 if it holds none. Times OpacityLength (bytes: 1) it is the
+   * ScalarOpacityUnitDistance of the output.
    */
   static double GetScalarOpacityUnitDistance(vtkImageData* voxels);
 
@@ -124,7 +137,8 @@ public:
    * Sets what a volume needs to draw the output. Its property: dependent components, linear
    * interpolation, no shading, opacity as it is, and the ScalarOpacityUnitDistance of the input, which is
    * brought up to date. Its mapper, set before: the native range where it is a GPU mapper, and then
-   * MarkOpacityRange off, otherwise on. Call again for other voxels.
+   * MarkOpacityRange off, otherwise on; bytes where it draws on the CPU. Call again for other voxels, and when
+   * OpacityLength or OutputScalarType have changed.
    */
   void SetUpVolume(vtkVolume* volume);
 
@@ -148,6 +162,8 @@ private:
   vtkAnisotropicVoxelEvaluator(const vtkAnisotropicVoxelEvaluator&) = delete;
   void operator=(const vtkAnisotropicVoxelEvaluator&) = delete;
 
+  double GetOutputOpacityLength() const;
+  void ChooseOutputScalarType(vtkAbstractVolumeMapper* mapper);
   void SetScale(std::map<int, double>& scales, const char* name, int type, double scale, double largest);
 
   vtkSmartPointer<vtkCamera> Camera;
@@ -156,7 +172,8 @@ private:
   vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
   bool MarkOpacityRange = true;
   bool HasWarnedOfLights = false;
-  int OutputScalarType = VTK_UNSIGNED_CHAR;
+  int OutputScalarType = VTK_UNSIGNED_SHORT;
+  double OpacityLength = 0.25;
 };
 
 #endif

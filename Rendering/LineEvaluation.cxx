@@ -14,7 +14,8 @@
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
 
-#include <iterator>
+#include <algorithm>
+#include <utility>
 
 using volumeoptics::LineScale;
 
@@ -62,7 +63,7 @@ void LineEvaluation::Update(LineTextures& lines, const LineView& view, const std
   this->Window = window;
   const double range[2] = { 0.0, 1.0 };
   this->Function.Update(function ? function : this->Identity.Get(), range, window);
-  const bool isNew = this->Allocate(lines.AtlasSize, bits, window);
+  const bool isNew = this->Allocate(lines.AtlasSize, std::max(bits, 16), window);
 
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
@@ -125,17 +126,20 @@ void LineEvaluation::Draw(
   this->SetTypes(lines, scales);
   this->Function.SetUniforms("in_opacityFunction", program);
   program->SetUniformi("in_mapsOpacity", mapsOpacity ? 1 : 0);
-  TermTexture* const textures[] = { &lines.Points, &lines.Voxels, &lines.Starts, &lines.Harmonics,
-    &lines.Coefficients };
-  const char* const names[] = { "in_points", "in_voxels", "in_starts", "in_harmonics", "in_coefficients" };
-  for (std::size_t i = 0; i < std::size(textures); ++i)
+  const std::pair<const char*, TermTexture*> textures[] = { { "in_points", &lines.Points },
+    { "in_voxels", &lines.Voxels }, { "in_starts", &lines.Starts }, { "in_harmonics", &lines.Harmonics },
+    { "in_coefficients", &lines.Coefficients }, { "in_ranges", &lines.Ranges } };
+  for (const auto& [name, texture] : textures)
   {
-    textures[i]->Bind(names[i], program);
+    if (*texture)
+    {
+      texture->Bind(name, program);
+    }
   }
   this->NoArrays->Bind();
   glDrawArrays(GL_POINTS, 0, lines.NumberOfPoints);
   this->NoArrays->Release();
-  for (TermTexture* texture : textures)
+  for (const auto& [name, texture] : textures)
   {
     texture->Unbind();
   }
@@ -145,8 +149,8 @@ void LineEvaluation::Draw(
 //------------------------------------------------------------------------------
 void LineEvaluation::MakeProgramReady(const LineTextures& lines)
 {
-  const std::string vertex =
-    LineEvaluationVertexShader(lines.MaximumOrder, static_cast<int>(lines.Types.size()));
+  const std::string vertex = LineEvaluationVertexShader(
+    lines.MaximumOrder, static_cast<int>(lines.Types.size()), static_cast<bool>(lines.Ranges));
   const std::string fragment = LineEvaluationFragmentShader();
   this->Program = this->Window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 using volumeoptics::LineChannels;
 using volumeoptics::LineCoefficients;
@@ -61,7 +62,7 @@ std::string LineTextures::Upload(vtkImageData* image, int bits, vtkOpenGLRenderW
   {
     this->ReadTypes(voxels, bits);
     this->UploadAtlas(atlas, window);
-    this->UploadCoefficients(voxels, bits, window);
+    this->UploadCoefficients(voxels, atlas.Starts, bits, window);
   }
   return error;
 }
@@ -170,7 +171,9 @@ void LineTextures::ReadTypes(const LineVoxels& voxels, int bits)
 }
 
 //------------------------------------------------------------------------------
-void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpenGLRenderWindow* window)
+// starts: one after another, of each type in each voxel, and the end.
+void LineTextures::UploadCoefficients(
+  const LineVoxels& voxels, const std::vector<std::int32_t>& starts, int bits, vtkOpenGLRenderWindow* window)
 {
   std::vector<float> texels;
   std::vector<std::uint8_t> harmonics;
@@ -186,6 +189,11 @@ void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpe
   }
   this->UploadList(this->Harmonics, harmonics,
     { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
+  if (bits == 8)
+  {
+    this->UploadBytes(texels, starts, window);
+    return;
+  }
   this->UploadList(this->Coefficients, texels,
     { static_cast<unsigned int>(bits == 16 ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT, 4, VTK_FLOAT,
       bits / 2 },
@@ -193,10 +201,42 @@ void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpe
 }
 
 //------------------------------------------------------------------------------
+// Degree 0, of which most of a voxel's look is made, is kept out of the bytes.
+void LineTextures::UploadBytes(
+  const std::vector<float>& texels, const std::vector<std::int32_t>& starts, vtkOpenGLRenderWindow* window)
+{
+  std::vector<std::int8_t> bytes(texels.size(), 0);
+  std::vector<float> ranges;
+  const std::size_t entries = this->Types.size() * this->NumberOfVoxels;
+  for (std::size_t entry = 0; entry < entries; ++entry)
+  {
+    const std::size_t first = LineChannels * starts[entry], end = LineChannels * starts[entry + 1];
+    float largest[LineChannels] = {};
+    for (std::size_t i = first + LineChannels; i < end; ++i)
+    {
+      largest[i % LineChannels] = std::max(largest[i % LineChannels], std::abs(texels[i]));
+    }
+    for (std::size_t i = first + LineChannels; i < end; ++i)
+    {
+      const float range = std::max(largest[i % LineChannels], std::numeric_limits<float>::min());
+      bytes[i] = static_cast<std::int8_t>(std::lround(127.0F * (texels[i] / range)));
+    }
+    for (int c = 0; c < LineChannels; ++c)
+    {
+      ranges.push_back(first < end ? texels[first + c] : 0.0F);
+    }
+    ranges.insert(ranges.end(), largest, largest + LineChannels);
+  }
+  this->UploadList(
+    this->Coefficients, bytes, { GL_RGBA8_SNORM, GL_RGBA, GL_BYTE, 4, VTK_SIGNED_CHAR, 4 }, window);
+  this->UploadList(this->Ranges, ranges, { GL_RGBA16F, GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, 8 }, window);
+}
+
+//------------------------------------------------------------------------------
 void LineTextures::Release(vtkWindow* window)
 {
-  for (TermTexture* texture :
-    { &this->Bricks, &this->Points, &this->Voxels, &this->Starts, &this->Harmonics, &this->Coefficients })
+  for (TermTexture* texture : { &this->Bricks, &this->Points, &this->Voxels, &this->Starts, &this->Harmonics,
+         &this->Coefficients, &this->Ranges })
   {
     texture->Release(window);
   }

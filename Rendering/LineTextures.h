@@ -23,7 +23,7 @@ public:
     glm::vec3 LeastColor, LargestColor;
   };
 
-  /** Uploads the voxels; bits: 16 or 32 a number. Otherwise what is wrong, and what to do about it. */
+  /** Uploads the voxels; bits: 8, 16 or 32 a number. Otherwise what is wrong, and what to do about it. */
   std::string Upload(vtkImageData* image, int bits, vtkOpenGLRenderWindow* window);
   bool IsAlive(vtkOpenGLRenderWindow* window) const { return this->Bricks.IsAlive(window); }
   void Release(vtkWindow* window);
@@ -42,6 +42,7 @@ public:
   TermTexture Starts; // of each type, of each voxel, the first coefficient
   TermTexture Harmonics;
   TermTexture Coefficients;
+  TermTexture Ranges; // 8 bits alone: of each type, of each voxel, degree 0 and what 1 stands for above it
 
 private:
   struct Format
@@ -53,7 +54,10 @@ private:
   std::string CheckAtlas(const LineAtlas& atlas, vtkOpenGLRenderWindow* window) const;
   void UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window);
   void ReadTypes(const volumeoptics::LineVoxels& voxels, int bits);
-  void UploadCoefficients(const volumeoptics::LineVoxels& voxels, int bits, vtkOpenGLRenderWindow* window);
+  void UploadCoefficients(const volumeoptics::LineVoxels& voxels, const std::vector<std::int32_t>& starts,
+    int bits, vtkOpenGLRenderWindow* window);
+  void UploadBytes(
+    const std::vector<float>& texels, const std::vector<std::int32_t>& starts, vtkOpenGLRenderWindow* window);
   // One texel after the other, in rows.
   template <class Value>
   void UploadList(

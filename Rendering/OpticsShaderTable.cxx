@@ -443,10 +443,11 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 }
 
 //------------------------------------------------------------------------------
-std::string LineEvaluationVertexShader(int order, int types)
+std::string LineEvaluationVertexShader(int order, int types, bool inBytes)
 {
   const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
-    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n";
+    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + (inBytes ? "\n#define OPTICS_LINE_BYTES" : "") +
+    "\n";
   return "//VTK::System::Dec\n" + constants + Opacity + SphericalHarmonics + CylinderLighting + LineVoxel +
     LineEvaluationVertex;
 }

@@ -138,7 +138,7 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 /**
  * The shaders that evaluate anisotropic voxels of an order and a number of line types.
  */
-std::string LineEvaluationVertexShader(int order, int types);
+std::string LineEvaluationVertexShader(int order, int types, bool inBytes);
 std::string LineEvaluationFragmentShader();
 
 /**

@@ -62,6 +62,32 @@ vec3 ToEyeFrom(vec3 voxel)
   return in_isParallel == 1 || distance <= 0.0 ? in_toEye : way / distance;
 }
 
+// Of a voxel's harmonics in the view direction: all, degree 0 (means over all directions), degree 2 of the depth.
+struct LineSums
+{
+  vec4 Whole;
+  vec4 Mean;
+  float Degree2;
+};
+
+#ifdef OPTICS_LINE_BYTES
+// Bytes are shares of the voxel's range; degree 0 is stored beside it.
+uniform sampler2D in_ranges;
+
+LineSums Decoded(LineSums stored, int entry)
+{
+  int width = textureSize(in_ranges, 0).x;
+  vec4 mean = g_basis[0] * texelFetch(in_ranges, PlaceInRows(2 * entry, width), 0);
+  vec4 range = texelFetch(in_ranges, PlaceInRows(2 * entry + 1, width), 0);
+  return LineSums(mean + range * stored.Whole, mean, range.a * stored.Degree2);
+}
+#else
+LineSums Decoded(LineSums stored, int entry)
+{
+  return stored;
+}
+#endif
+
 // Colour times depth, depth, of one line type in a voxel.
 vec4 LinesOfType(int type, int voxel)
 {
@@ -71,27 +97,23 @@ vec4 LinesOfType(int type, int voxel)
   int end = texelFetch(in_starts, PlaceInRows(entry + 1, width), 0).r;
   int rows = textureSize(in_coefficients, 0).x;
   int harmonicRows = textureSize(in_harmonics, 0).x;
-  vec4 sums = vec4(0.0);
-  vec4 mean = vec4(0.0);
-  float degree2 = 0.0;
+  LineSums stored = LineSums(vec4(0.0), vec4(0.0), 0.0);
   for (int i = first; i < end; ++i)
   {
     int harmonic = int(texelFetch(in_harmonics, PlaceInRows(i, harmonicRows), 0).r);
     vec4 part = g_basis[harmonic] * texelFetch(in_coefficients, PlaceInRows(i, rows), 0);
-    sums += part;
-    mean = harmonic == 0 ? part : mean;
-    degree2 += harmonic >= 4 && harmonic < 9 ? part.a : 0.0;
+    stored.Whole += part;
+    stored.Mean = harmonic == 0 ? part : stored.Mean;
+    stored.Degree2 += harmonic >= 4 && harmonic < 9 ? part.a : 0.0;
   }
+  LineSums sums = Decoded(stored, entry);
   float scale = in_scales[type].z;
-  float depth = DepthOfLines(
-    scale * sums.a, scale * mean.a, scale * degree2, in_scales[type].x, in_scales[type].y);
-  vec3 color = ColorOfLines(
-    vec3(sums), sums.a, vec3(mean), max(mean.a, 1.0e-30), in_leastColors[type], in_largestColors[type]);
+  float depth = DepthOfLines(scale * sums.Whole.a, scale * sums.Mean.a, scale * sums.Degree2,
+    in_scales[type].x, in_scales[type].y);
+  vec3 color = ColorOfLines(vec3(sums.Whole), sums.Whole.a, vec3(sums.Mean), max(sums.Mean.a, 1.0e-30),
+    in_leastColors[type], in_largestColors[type]);
   return vec4(color * depth, depth);
 }
-
-// As opaque as makes a difference; half floats hold it, and the depth of what an opacity function makes opaque.
-const float LargestLineDepth = 12.0;
 
 // Colour times optical depth, optical depth: what may be interpolated without a loss of extinction.
 vec4 EvaluatedVoxel(int voxel)

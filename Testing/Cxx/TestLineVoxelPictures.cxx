@@ -4,6 +4,7 @@
 // The evaluator's RGBA in VTK's own mapper: opacity and colour of a uniform bundle as the closed form says, no
 // dark rim, per block as per voxel, transfer function and scales.
 
+#include "FloatTarget.h"
 #include "LineTesting.h"
 #include "Optics.h"
 #include "WindowPixels.h"
@@ -131,6 +132,42 @@ void CheckOpacity(Check& check)
   check.Near("opacity function", PixelAt(scene.Render(), 75, 75).y, 1.0, 0.0);
 }
 
+// One line among empty voxels: the optical depth, summed over the picture, is that of its voxels times a quarter of
+// their surface, however it is interpolated. Opacities of a quarter of the chord, in place of depths, lose less than 3 % of the
+// thick line (those of the whole chord 12 %), VTK's table of 8000 opacities less of the thin one (of 1024, 10 %: half of
+// an entry of the mean depth .02).
+void CheckExtinction(Check& check)
+{
+  Scene scene;
+  const int n = 16;
+  scene.Voxelizer->SetInputData(lines::MakeLines({ { { 2.2, 6.1, 7.3 }, { 13.6, 9.4, 8.8 } } }));
+  scene.Voxelizer->SetSampleDimensions(n, n, n);
+  scene.Voxelizer->SetModelBounds(0.0, n, 0.0, n, 0.0, n);
+  scene.Mapper->SetSampleDistance(0.1F);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(n / 2.0, n / 2.0, n / 2.0);
+  camera->SetPosition(n / 2.0, n / 2.0, 50.0);
+  camera->SetParallelScale(n / 2.0);
+  for (double radius : { 0.05, 0.25 })
+  {
+    scene.Voxelizer->SetRadius(radius);
+    scene.Evaluator->SetUpVolume(scene.Volume);
+    scene.Renderer->ResetCameraClippingRange();
+    const std::vector<float> pixels = RenderFloat(scene.Window, scene.Renderer);
+    double drawn = 0.0, wanted = 0.0;
+    for (std::size_t i = 3; i < pixels.size(); i += 4)
+    {
+      drawn -= std::log1p(-double(pixels[i])) * (n / 150.0) * (n / 150.0);
+    }
+    const vtkIdType voxels = lines::CountOf(scene.Voxelizer->GetOutput(), "LineType0_Places");
+    for (vtkIdType v = 0; v < voxels; ++v)
+    {
+      wanted += 1.5 * lines::Look(scene.Voxelizer->GetOutput(), { 0.0, 0.0, 1.0 }, v).Depth;
+    }
+    check.Near("extinction of a line of radius " + std::to_string(radius), drawn / wanted, 1.0, 0.03);
+  }
+}
+
 // In perspective, one direction a block is near one a voxel.
 void CheckBlocks(Check& check)
 {
@@ -167,6 +204,7 @@ int TestLineVoxelPictures(int, char*[])
 {
   Check check;
   CheckOpacity(check);
+  CheckExtinction(check);
   CheckBlocks(check);
   return check.ExitCode();
 }
