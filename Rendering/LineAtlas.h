@@ -37,13 +37,20 @@ public:
   std::vector<std::int32_t>
     Starts;                  // of each type's coefficients in each voxel, and the end, all types in a row
   std::vector<Point> Points; // where voxels are in the atlas
-  std::vector<std::uint16_t> Tiles; // texel of each brick's tile, x and y; NoTile: none
+  // Texel of each brick's tile, x and y; NoTile: none, and the distance, in bricks, to the next one with a tile.
+  std::vector<std::uint16_t> Tiles;
+  // Of each tile a bit for each cell between the middles of eight voxels, x fastest: whether one of them has lines.
+  std::vector<std::uint32_t> Cells;
 
 private:
   void ListVoxels(const volumeoptics::LineVoxels& voxels);
   void ListBrick(
     const volumeoptics::LineVoxels& voxels, long long brick, std::vector<std::vector<std::int32_t>>& starts);
   void PlaceTiles();
+  void PlaceVoxels(const std::vector<int>& tileOf, int tilesPerRow);
+  void MarkCells(int voxel, const std::vector<int>& tileOf);
+  void ListTiles(const std::vector<int>& tileOf, int tilesPerRow);
+  long long NumberOf(const glm::ivec3& brick) const;
   template <class Visit>
   void ForEachTile(int voxel, const Visit& visit) const;
 };

@@ -143,6 +143,14 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
     atlas.Bricks.x, atlas.Bricks.y, atlas.Bricks.z, 2, VTK_UNSIGNED_SHORT, atlas.Tiles.data());
   this->MemorySize += sizeof(std::uint16_t) * atlas.Tiles.size();
 
+  const glm::ivec2 tiles = atlas.Size / glm::ivec2(LineAtlas::Tile * LineAtlas::Tile, LineAtlas::Tile);
+  this->Cells.Renew(window);
+  this->Cells->SetInternalFormat(GL_RG32UI);
+  this->Cells->SetFormat(GL_RG_INTEGER);
+  this->Cells->SetDataType(GL_UNSIGNED_INT);
+  this->Cells->Create2DFromRaw(tiles.x, tiles.y, 2, VTK_UNSIGNED_INT, atlas.Cells.data());
+  this->MemorySize += sizeof(std::uint32_t) * atlas.Cells.size();
+
   std::vector<std::int32_t> points;
   for (const LineAtlas::Point& point : atlas.Points)
   {
@@ -235,8 +243,8 @@ void LineTextures::UploadBytes(
 //------------------------------------------------------------------------------
 void LineTextures::Release(vtkWindow* window)
 {
-  for (TermTexture* texture : { &this->Bricks, &this->Points, &this->Voxels, &this->Starts, &this->Harmonics,
-         &this->Coefficients, &this->Ranges })
+  for (TermTexture* texture : { &this->Bricks, &this->Cells, &this->Points, &this->Voxels, &this->Starts,
+         &this->Harmonics, &this->Coefficients, &this->Ranges })
   {
     texture->Release(window);
   }

@@ -36,7 +36,8 @@ public:
   int NumberOfVoxels = 0;
   int NumberOfPoints = 0;
 
-  TermTexture Bricks; // of each brick the texel of its tile
+  TermTexture Bricks; // of each brick the texel of its tile, or the distance to the next brick with one
+  TermTexture Cells;  // of each tile which cells have lines
   TermTexture Points; // texel in the atlas, number of the voxel
   TermTexture Voxels; // place in the grid
   TermTexture Starts; // of each type, of each voxel, the first coefficient
