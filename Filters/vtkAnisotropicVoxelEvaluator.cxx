@@ -4,6 +4,7 @@
 #include "vtkAnisotropicVoxelEvaluator.h"
 
 #include "Batches.h"
+#include "BlockCropping.h"
 #include "LineVoxels.h"
 #include "ParameterRange.h"
 #include "VoxelImage.h"
@@ -71,7 +72,12 @@ bool RunEvaluation(
 }
 
 //------------------------------------------------------------------------------
-vtkAnisotropicVoxelEvaluator::vtkAnisotropicVoxelEvaluator() = default;
+vtkAnisotropicVoxelEvaluator::vtkAnisotropicVoxelEvaluator()
+  : Cropping(std::make_unique<volumeoptics::BlockCropping>())
+{
+}
+
+//------------------------------------------------------------------------------
 vtkAnisotropicVoxelEvaluator::~vtkAnisotropicVoxelEvaluator() = default;
 
 //------------------------------------------------------------------------------
@@ -80,6 +86,7 @@ void vtkAnisotropicVoxelEvaluator::SetCamera(vtkCamera* camera)
   if (this->Camera != camera)
   {
     this->Camera = camera;
+    this->Cropping->Follow(camera);
     this->Modified();
   }
 }
@@ -230,6 +237,28 @@ void vtkAnisotropicVoxelEvaluator::ChooseOutputScalarType(vtkAbstractVolumeMappe
   {
     this->SetOutputScalarType(VTK_UNSIGNED_CHAR);
   }
+}
+
+//------------------------------------------------------------------------------
+// The box of the block's image, from the first voxels' middles to the last ones'.
+void vtkAnisotropicVoxelEvaluator::CropAroundBlock(
+  vtkImageData* block, vtkVolumeMapper* behind, vtkVolumeMapper* inFront)
+{
+  this->Cropping->Clear();
+  if (!block || !behind || !inFront)
+  {
+    return;
+  }
+  std::string error;
+  const LineVoxels voxels(block, error);
+  if (!error.empty())
+  {
+    vtkErrorMacro("The block holds " << error << ". Give the output of vtkAnisotropicLineVoxelizer.");
+    return;
+  }
+  const glm::dvec3 first = voxels.Grid.CenterOf(glm::ivec3(0));
+  const glm::dvec3 last = voxels.Grid.CenterOf(voxels.Grid.Dimensions - 1);
+  this->Cropping->Set({ first.x, last.x, first.y, last.y, first.z, last.z }, behind, inFront);
 }
 
 //------------------------------------------------------------------------------

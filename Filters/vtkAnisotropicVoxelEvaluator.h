@@ -31,13 +31,20 @@
 #include "vtkSmartPointer.h"       // for camera and function
 #include "vtkVolumeOpticsModule.h" // for export macro
 
-#include <map> // for the scales
+#include <map>    // for the scales
+#include <memory> // for the cropping
 
 class vtkAbstractVolumeMapper;
 class vtkCamera;
 class vtkLightCollection;
 class vtkPiecewiseFunction;
 class vtkVolume;
+class vtkVolumeMapper;
+
+namespace volumeoptics
+{
+class BlockCropping;
+}
 
 class VTKVOLUMEOPTICS_EXPORT vtkAnisotropicVoxelEvaluator : public vtkImageAlgorithm
 {
@@ -143,6 +150,16 @@ public:
   void SetUpVolume(vtkVolume* volume);
 
   /**
+   * Lets a block of other voxels, finer ones of the same lines for example, take the place of a part of these
+   * [Schussman2004] fig. 7. The block has an evaluator, a mapper and a volume of its own. The output of this
+   * evaluator is drawn by two mappers, which are cropped here, one to what lies behind the block and one to what
+   * lies in front of it; a renderer draws volumes in the order in which they are added: first behind, then the
+   * block, then inFront. Cropping follows the camera. block: the voxels, along the same axes. Null, for any of the
+   * three, undoes it.
+   */
+  void CropAroundBlock(vtkImageData* block, vtkVolumeMapper* behind, vtkVolumeMapper* inFront);
+
+  /**
    * Whether lights, for example a renderer's, are those that are baked into the voxels, as far as these are up to
    * date; if not, warns, once until they are again.
    */
@@ -170,6 +187,7 @@ private:
   int ViewDirections = PerVoxel;
   std::map<int, double> RadiusScales, OpacityScales;
   vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
+  std::unique_ptr<volumeoptics::BlockCropping> Cropping;
   bool MarkOpacityRange = true;
   bool HasWarnedOfLights = false;
   int OutputScalarType = VTK_UNSIGNED_SHORT;
