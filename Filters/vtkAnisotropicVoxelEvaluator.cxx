@@ -40,6 +40,14 @@ const double OpacityTableEntries = 8000.0;
 
 const char* const ViewDirectionsNames[] = { "PerVoxel", "PerBlock" };
 
+// VTK's mapper on the CPU draws four components of bytes alone.
+bool DrawsOnCPU(vtkAbstractVolumeMapper* mapper)
+{
+  auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  return vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper) ||
+    (smart && smart->GetRequestedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode);
+}
+
 void SetUpProperty(vtkVolumeProperty* property, double largestScalar, double unitDistance)
 {
   vtkNew<vtkPiecewiseFunction> opacity;
@@ -214,7 +222,11 @@ void vtkAnisotropicVoxelEvaluator::SetUpVolume(vtkVolume* volume)
   vtkAlgorithmOutput* input = this->GetInputConnection(0, 0);
   input->GetProducer()->Update(input->GetIndex());
   auto* voxels = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
-  this->ChooseOutputScalarType(volume->GetMapper());
+  const bool isOnCPU = DrawsOnCPU(volume->GetMapper());
+  if (isOnCPU)
+  {
+    this->SetOutputScalarType(VTK_UNSIGNED_CHAR);
+  }
   const double distance = this->GetOutputOpacityLength() * GetScalarOpacityUnitDistance(voxels);
   SetUpProperty(volume->GetProperty(), volumeoptics::LargestOfScalar(this->OutputScalarType),
     distance > 0.0 ? distance : 1.0);
@@ -223,20 +235,7 @@ void vtkAnisotropicVoxelEvaluator::SetUpVolume(vtkVolume* volume)
   {
     mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
   }
-  this->SetMarkOpacityRange(mapper == nullptr);
-}
-
-//------------------------------------------------------------------------------
-// VTK's mapper on the CPU draws four components of bytes alone.
-void vtkAnisotropicVoxelEvaluator::ChooseOutputScalarType(vtkAbstractVolumeMapper* mapper)
-{
-  auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
-  const bool isOnCPU = vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper) ||
-    (smart && smart->GetRequestedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode);
-  if (isOnCPU)
-  {
-    this->SetOutputScalarType(VTK_UNSIGNED_CHAR);
-  }
+  this->SetMarkOpacityRange(!mapper && !isOnCPU);
 }
 
 //------------------------------------------------------------------------------

@@ -34,7 +34,6 @@
 #include <map>    // for the scales
 #include <memory> // for the cropping
 
-class vtkAbstractVolumeMapper;
 class vtkCamera;
 class vtkLightCollection;
 class vtkPiecewiseFunction;
@@ -144,7 +143,7 @@ public:
    * Sets what a volume needs to draw the output. Its property: dependent components, linear
    * interpolation, no shading, opacity as it is, and the ScalarOpacityUnitDistance of the input, which is
    * brought up to date. Its mapper, set before: the native range where it is a GPU mapper, and then
-   * MarkOpacityRange off, otherwise on; bytes where it draws on the CPU. Call again for other voxels, and when
+   * MarkOpacityRange off, as where it draws on the CPU, which takes bytes; otherwise on. Call again for other voxels, and when
    * OpacityLength or OutputScalarType have changed.
    */
   void SetUpVolume(vtkVolume* volume);
@@ -180,7 +179,6 @@ private:
   void operator=(const vtkAnisotropicVoxelEvaluator&) = delete;
 
   double GetOutputOpacityLength() const;
-  void ChooseOutputScalarType(vtkAbstractVolumeMapper* mapper);
   void SetScale(std::map<int, double>& scales, const char* name, int type, double scale, double largest);
 
   vtkSmartPointer<vtkCamera> Camera;

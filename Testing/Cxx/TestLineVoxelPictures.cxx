@@ -11,10 +11,12 @@
 
 #include "vtkAnalyticLineSource.h"
 #include "vtkCamera.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -67,6 +69,30 @@ glm::dvec3 PixelAt(const std::vector<unsigned char>& pixels, int x, int y)
 // Of a voxel that is crossed along an edge, 1.5 times its mean chord, with .2 of its face covered.
 const double Depth = 1.5 * optics::MeanDepthOfShare(0.2 / 1.5) / (TwoPi / 8.0);
 
+// On the CPU, of bytes; and by the mapper that chooses one, of the opaque voxel that marks the range, beside the middle.
+void CheckOtherMappers(Check& check, Scene& scene, double through)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> onCPU;
+  onCPU->SetAutoAdjustSampleDistances(0);
+  onCPU->SetSampleDistance(0.05F);
+  vtkNew<vtkSmartVolumeMapper> smart;
+  smart->SetAutoAdjustSampleDistances(0);
+  smart->SetSampleDistance(0.05F);
+  smart->SetRequestedRenderModeToGPU();
+  const int type = scene.Evaluator->GetOutputScalarType();
+  for (vtkVolumeMapper* mapper : { static_cast<vtkVolumeMapper*>(smart), static_cast<vtkVolumeMapper*>(onCPU) })
+  {
+    mapper->SetInputConnection(scene.Evaluator->GetOutputPort());
+    scene.Volume->SetMapper(mapper);
+    scene.Evaluator->SetUpVolume(scene.Volume);
+    const auto pixels = RenderPixels(scene.Window);
+    check.Near(mapper->GetClassName(), PixelAt(pixels, 75, 60).y, through, 0.03);
+  }
+  check.That(scene.Evaluator->GetOutputScalarType() == VTK_UNSIGNED_CHAR, "no bytes on the CPU");
+  scene.Evaluator->SetOutputScalarType(type);
+  scene.Volume->SetMapper(scene.Mapper);
+}
+
 // Lines along x, one in each voxel of a slab n voxels thick, on white: of the light behind, exp(-sum tau)
 // comes through.
 void CheckOpacity(Check& check)
@@ -114,6 +140,7 @@ void CheckOpacity(Check& check)
     }
     check.AtLeast("no dark rim", least, 0.985);
   }
+  CheckOtherMappers(check, scene, std::exp(-6.0 * Depth));
   scene.MarksRange = true;
   const auto marked = scene.Render();
   check.Near("marked range", PixelAt(marked, 75, 60).y, std::exp(-6.0 * Depth), 0.03);
