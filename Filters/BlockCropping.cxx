@@ -13,9 +13,8 @@ const int BlockRegion = 13; // of 27, x fastest
 BlockCropping::BlockCropping()
 {
   this->Command->SetClientData(this);
-  this->Command->SetCallback([](vtkObject*, unsigned long, void* client, void*) {
-    static_cast<BlockCropping*>(client)->Update();
-  });
+  this->Command->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void*) { static_cast<BlockCropping*>(client)->Update(); });
 }
 
 BlockCropping::~BlockCropping()

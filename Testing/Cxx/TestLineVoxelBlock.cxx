@@ -104,7 +104,8 @@ void Compare(Check& check)
     const double without = MeanDifference(plainMapper, plainStock);
     const double with = MeanDifference(blockMapper, blockStock);
     const double changed = MeanDifference(blockMapper, plainMapper);
-    std::cout << view << ": " << with << ", without a block " << without << ", changed " << changed << std::endl;
+    std::cout << view << ": " << with << ", without a block " << without << ", changed " << changed
+              << std::endl;
     check.AtMost(view, with, 1.2 * without + Rim * changed);
     check.AtLeast(view + ", what the block changes", changed, 0.03);
   }

@@ -80,7 +80,8 @@ void CheckOtherMappers(Check& check, Scene& scene, double through)
   smart->SetSampleDistance(0.05F);
   smart->SetRequestedRenderModeToGPU();
   const int type = scene.Evaluator->GetOutputScalarType();
-  for (vtkVolumeMapper* mapper : { static_cast<vtkVolumeMapper*>(smart), static_cast<vtkVolumeMapper*>(onCPU) })
+  for (vtkVolumeMapper* mapper :
+    { static_cast<vtkVolumeMapper*>(smart), static_cast<vtkVolumeMapper*>(onCPU) })
   {
     mapper->SetInputConnection(scene.Evaluator->GetOutputPort());
     scene.Volume->SetMapper(mapper);
