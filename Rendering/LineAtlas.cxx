@@ -145,12 +145,13 @@ void LineAtlas::PlaceTiles()
 //------------------------------------------------------------------------------
 void LineAtlas::PlaceVoxels(const std::vector<int>& tileOf, int tilesPerRow)
 {
+  this->Sources.assign(static_cast<std::size_t>(this->Size.x) * this->Size.y, -1);
   for (int voxel = 0; voxel < static_cast<int>(this->Voxels.size()); ++voxel)
   {
     this->ForEachTile(voxel, [&](long long brick, const glm::ivec3& place) {
       const glm::ivec2 texel =
         CornerOf(tileOf[brick], tilesPerRow) + glm::ivec2(place.x + Tile * place.z, place.y);
-      this->Points.push_back({ texel.x + this->Size.x * texel.y, voxel });
+      this->Sources[texel.x + static_cast<std::size_t>(this->Size.x) * texel.y] = voxel;
     });
     this->MarkCells(voxel, tileOf);
   }
@@ -176,11 +177,9 @@ void LineAtlas::MarkCells(int voxel, const std::vector<int>& tileOf)
 //------------------------------------------------------------------------------
 void LineAtlas::ListTiles(const std::vector<int>& tileOf, int tilesPerRow)
 {
-  std::vector<unsigned char> distances;
-  for (const int tile : tileOf)
-  {
-    distances.push_back(tile < 0 ? 1 : 0);
-  }
+  std::vector<unsigned char> distances(tileOf.size());
+  std::transform(tileOf.begin(), tileOf.end(), distances.begin(),
+    [](int tile) { return static_cast<unsigned char>(tile < 0 ? 1 : 0); });
   volumeoptics::FindMacrocellDistances(&this->Bricks.x, distances);
   for (std::size_t brick = 0; brick < tileOf.size(); ++brick)
   {

@@ -22,12 +22,6 @@ public:
   static constexpr int Tile = Brick + 1;
   static constexpr std::uint16_t NoTile = 65535;
 
-  struct Point
-  {
-    std::int32_t Texel; // in rows of the atlas
-    std::int32_t Voxel;
-  };
-
   LineAtlas() = default;
   explicit LineAtlas(const volumeoptics::LineVoxels& voxels);
 
@@ -35,8 +29,8 @@ public:
   glm::ivec2 Size = glm::ivec2(0);                  // in texels
   std::vector<std::array<std::uint16_t, 4>> Voxels; // those with lines of any type
   std::vector<std::int32_t>
-    Starts;                  // of each type's coefficients in each voxel, and the end, all types in a row
-  std::vector<Point> Points; // where voxels are in the atlas
+    Starts; // of each type's coefficients in each voxel, and the end, all types in a row
+  std::vector<std::int32_t> Sources; // of each texel, in rows, the number of its voxel; -1: none
   // Texel of each brick's tile, x and y; NoTile: none, and the distance, in bricks, to the next one with a tile.
   std::vector<std::uint16_t> Tiles;
   // Of each tile a bit for each cell between the middles of eight voxels, x fastest: whether one of them has lines.

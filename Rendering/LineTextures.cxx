@@ -118,15 +118,21 @@ void LineTextures::UploadList(
   {
     width *= 2;
   }
-  const long long height = (texels + width - 1) / width;
-  values.resize(static_cast<std::size_t>(width * height * format.Channels));
+  const glm::ivec2 size(width, (texels + width - 1) / width);
+  values.resize(std::size_t(1) * size.x * size.y * format.Channels);
+  this->UploadTexels(texture, size, values.data(), format, window);
+}
+
+//------------------------------------------------------------------------------
+void LineTextures::UploadTexels(TermTexture& texture, const glm::ivec2& size, void* texels,
+  const Format& format, vtkOpenGLRenderWindow* window)
+{
   texture.Renew(window);
   texture->SetInternalFormat(format.Internal);
   texture->SetFormat(format.External);
   texture->SetDataType(format.Number);
-  texture->Create2DFromRaw(
-    width, static_cast<unsigned int>(height), format.Channels, format.VTKType, values.data());
-  this->MemorySize += static_cast<std::size_t>(width * height * format.Bytes);
+  texture->Create2DFromRaw(size.x, size.y, format.Channels, format.VTKType, texels);
+  this->MemorySize += std::size_t(1) * size.x * size.y * format.Bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +140,6 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
 {
   this->AtlasSize = atlas.Size;
   this->NumberOfVoxels = static_cast<int>(atlas.Voxels.size());
-  this->NumberOfPoints = static_cast<int>(atlas.Points.size());
   this->Bricks.Renew(window);
   this->Bricks->SetInternalFormat(GL_RG16UI);
   this->Bricks->SetFormat(GL_RG_INTEGER);
@@ -144,24 +149,15 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
   this->MemorySize += sizeof(std::uint16_t) * atlas.Tiles.size();
 
   const glm::ivec2 tiles = atlas.Size / glm::ivec2(LineAtlas::Tile * LineAtlas::Tile, LineAtlas::Tile);
-  this->Cells.Renew(window);
-  this->Cells->SetInternalFormat(GL_RG32UI);
-  this->Cells->SetFormat(GL_RG_INTEGER);
-  this->Cells->SetDataType(GL_UNSIGNED_INT);
-  this->Cells->Create2DFromRaw(tiles.x, tiles.y, 2, VTK_UNSIGNED_INT, atlas.Cells.data());
-  this->MemorySize += sizeof(std::uint32_t) * atlas.Cells.size();
-
-  std::vector<std::int32_t> points;
-  for (const LineAtlas::Point& point : atlas.Points)
-  {
-    points.insert(points.end(), { point.Texel, point.Voxel });
-  }
+  this->UploadTexels(this->Cells, tiles, atlas.Cells.data(),
+    { GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2, VTK_UNSIGNED_INT, 8 }, window);
+  this->UploadTexels(this->Sources, atlas.Size, atlas.Sources.data(),
+    { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 }, window);
   std::vector<std::uint16_t> voxels;
   for (const auto& voxel : atlas.Voxels)
   {
     voxels.insert(voxels.end(), voxel.begin(), voxel.end());
   }
-  this->UploadList(this->Points, points, { GL_RG32I, GL_RG_INTEGER, GL_INT, 2, VTK_INT, 8 }, window);
   this->UploadList(this->Voxels, voxels,
     { GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, 4, VTK_UNSIGNED_SHORT, 8 }, window);
   this->UploadList(this->Starts, atlas.Starts, { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 }, window);
@@ -243,7 +239,7 @@ void LineTextures::UploadBytes(
 //------------------------------------------------------------------------------
 void LineTextures::Release(vtkWindow* window)
 {
-  for (TermTexture* texture : { &this->Bricks, &this->Cells, &this->Points, &this->Voxels, &this->Starts,
+  for (TermTexture* texture : { &this->Bricks, &this->Cells, &this->Sources, &this->Voxels, &this->Starts,
          &this->Harmonics, &this->Coefficients, &this->Ranges })
   {
     texture->Release(window);

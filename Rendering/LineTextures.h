@@ -34,13 +34,12 @@ public:
   std::vector<Type> Types;
   glm::ivec2 AtlasSize = glm::ivec2(0); // 0: there are no lines
   int NumberOfVoxels = 0;
-  int NumberOfPoints = 0;
 
-  TermTexture Bricks; // of each brick the texel of its tile, or the distance to the next brick with one
-  TermTexture Cells;  // of each tile which cells have lines
-  TermTexture Points; // texel in the atlas, number of the voxel
-  TermTexture Voxels; // place in the grid
-  TermTexture Starts; // of each type, of each voxel, the first coefficient
+  TermTexture Bricks;  // of each brick the texel of its tile, or the distance to the next brick with one
+  TermTexture Cells;   // of each tile which cells have lines
+  TermTexture Sources; // of each texel of the atlas the number of its voxel; -1: none
+  TermTexture Voxels;  // place in the grid
+  TermTexture Starts;  // of each type, of each voxel, the first coefficient
   TermTexture Harmonics;
   TermTexture Coefficients;
   TermTexture Ranges; // 8 bits alone: of each type, of each voxel, degree 0 and what 1 stands for above it
@@ -59,6 +58,8 @@ private:
     int bits, vtkOpenGLRenderWindow* window);
   void UploadBytes(
     const std::vector<float>& texels, const std::vector<std::int32_t>& starts, vtkOpenGLRenderWindow* window);
+  void UploadTexels(TermTexture& texture, const glm::ivec2& size, void* texels, const Format& format,
+    vtkOpenGLRenderWindow* window);
   // One texel after the other, in rows.
   template <class Value>
   void UploadList(

@@ -142,8 +142,7 @@ int TestLineVoxelAccuracy(int, char*[])
   stock->SetMapper(mapper);
   evaluator->SetUpVolume(stock);
 
-  const Picture truth =
-    Reduced(Draw(scene, MakeTubes(source), Supersampling * PictureSize), Supersampling);
+  const Picture truth = Reduced(Draw(scene, MakeTubes(source), Supersampling * PictureSize), Supersampling);
   CheckPicture(check, "vtkOpticsVolumeMapper", Draw(scene, scene.Volume, PictureSize), truth);
   CheckPicture(check, "vtkAnisotropicVoxelEvaluator", Draw(scene, stock, PictureSize), truth);
   return check.ExitCode();
