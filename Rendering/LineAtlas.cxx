@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using volumeoptics::LineCoefficients;
 using volumeoptics::LineVoxels;
@@ -143,15 +144,29 @@ void LineAtlas::PlaceTiles()
 }
 
 //------------------------------------------------------------------------------
+// A tile's voxels lie one after the other, so that a byte tells them apart.
 void LineAtlas::PlaceVoxels(const std::vector<int>& tileOf, int tilesPerRow)
 {
-  this->Sources.assign(static_cast<std::size_t>(this->Size.x) * this->Size.y, -1);
-  for (int voxel = 0; voxel < static_cast<int>(this->Voxels.size()); ++voxel)
+  const int voxels = static_cast<int>(this->Voxels.size());
+  this->FirstSources.assign(this->Cells.size() / 2 + 1, 0);
+  for (int voxel = 0; voxel < voxels; ++voxel)
+  {
+    this->ForEachTile(
+      voxel, [&](long long brick, const glm::ivec3&) { ++this->FirstSources[tileOf[brick] + 1]; });
+  }
+  std::partial_sum(this->FirstSources.begin(), this->FirstSources.end(), this->FirstSources.begin());
+  this->Sources.assign(this->FirstSources.back(), 0);
+  this->Ranks.assign(static_cast<std::size_t>(this->Size.x) * this->Size.y, 0);
+  std::vector<std::int32_t> next = this->FirstSources;
+  for (int voxel = 0; voxel < voxels; ++voxel)
   {
     this->ForEachTile(voxel, [&](long long brick, const glm::ivec3& place) {
-      const glm::ivec2 texel =
-        CornerOf(tileOf[brick], tilesPerRow) + glm::ivec2(place.x + Tile * place.z, place.y);
-      this->Sources[texel.x + static_cast<std::size_t>(this->Size.x) * texel.y] = voxel;
+      const int tile = tileOf[brick];
+      const glm::ivec2 texel = CornerOf(tile, tilesPerRow) + glm::ivec2(place.x + Tile * place.z, place.y);
+      const std::int32_t source = next[tile]++;
+      this->Sources[source] = voxel;
+      this->Ranks[texel.x + static_cast<std::size_t>(this->Size.x) * texel.y] =
+        static_cast<std::uint8_t>(source - this->FirstSources[tile] + 1);
     });
     this->MarkCells(voxel, tileOf);
   }

@@ -30,7 +30,10 @@ public:
   std::vector<std::array<std::uint16_t, 4>> Voxels; // those with lines of any type
   std::vector<std::int32_t>
     Starts; // of each type's coefficients in each voxel, and the end, all types in a row
-  std::vector<std::int32_t> Sources; // of each texel, in rows, the number of its voxel; -1: none
+  std::vector<std::uint8_t>
+    Ranks; // of each texel, in rows, which of its tile's voxels it holds, from 1 on; 0: none
+  std::vector<std::int32_t> FirstSources; // of each tile, of all its voxels, in Sources
+  std::vector<std::int32_t> Sources;      // numbers of voxels
   // Texel of each brick's tile, x and y; NoTile: none, and the distance, in bricks, to the next one with a tile.
   std::vector<std::uint16_t> Tiles;
   // Of each tile a bit for each cell between the middles of eight voxels, x fastest: whether one of them has lines.

@@ -40,6 +40,27 @@ void SetVector(vtkShaderProgram* program, const char* name, const glm::vec3& vec
   program->SetUniform3f(name, &vector.x);
 }
 
+template <class Textures>
+void BindAll(const Textures& textures, vtkShaderProgram* program)
+{
+  for (const auto& [name, texture] : textures)
+  {
+    if (*texture)
+    {
+      texture->Bind(name, program);
+    }
+  }
+}
+
+template <class Textures>
+void UnbindAll(const Textures& textures)
+{
+  for (const auto& [name, texture] : textures)
+  {
+    texture->Unbind();
+  }
+}
+
 void SetView(vtkShaderProgram* program, const LineView& view)
 {
   SetVector(program, "in_eye", view.Position);
@@ -154,18 +175,9 @@ void LineEvaluation::Evaluate(
   const std::pair<const char*, TermTexture*> textures[] = { { "in_voxels", &lines.Voxels },
     { "in_starts", &lines.Starts }, { "in_harmonics", &lines.Harmonics },
     { "in_coefficients", &lines.Coefficients }, { "in_ranges", &lines.Ranges } };
-  for (const auto& [name, texture] : textures)
-  {
-    if (*texture)
-    {
-      texture->Bind(name, program);
-    }
-  }
+  BindAll(textures, program);
   this->Draw(this->Looks);
-  for (const auto& [name, texture] : textures)
-  {
-    texture->Unbind();
-  }
+  UnbindAll(textures);
   this->Function.Unbind();
 }
 
@@ -174,11 +186,12 @@ void LineEvaluation::Evaluate(
 void LineEvaluation::Place(LineTextures& lines)
 {
   vtkShaderProgram* program = this->MakeProgramReady(LinePlacementFragmentShader());
-  lines.Sources.Bind("in_sources", program);
-  this->Looks.Bind("in_evaluated", program);
+  const std::pair<const char*, TermTexture*> textures[] = { { "in_ranks", &lines.Ranks },
+    { "in_firstSources", &lines.FirstSources }, { "in_sources", &lines.Sources },
+    { "in_evaluated", &this->Looks } };
+  BindAll(textures, program);
   this->Draw(this->Atlas);
-  lines.Sources.Unbind();
-  this->Looks.Unbind();
+  UnbindAll(textures);
 }
 
 //------------------------------------------------------------------------------

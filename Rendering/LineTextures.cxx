@@ -151,8 +151,11 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
   const glm::ivec2 tiles = atlas.Size / glm::ivec2(LineAtlas::Tile * LineAtlas::Tile, LineAtlas::Tile);
   this->UploadTexels(this->Cells, tiles, atlas.Cells.data(),
     { GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2, VTK_UNSIGNED_INT, 8 }, window);
-  this->UploadTexels(this->Sources, atlas.Size, atlas.Sources.data(),
-    { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 }, window);
+  const Format numbers = { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 };
+  this->UploadTexels(this->Ranks, atlas.Size, atlas.Ranks.data(),
+    { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
+  this->UploadTexels(this->FirstSources, tiles, atlas.FirstSources.data(), numbers, window);
+  this->UploadList(this->Sources, atlas.Sources, numbers, window);
   std::vector<std::uint16_t> voxels;
   for (const auto& voxel : atlas.Voxels)
   {
@@ -160,7 +163,7 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
   }
   this->UploadList(this->Voxels, voxels,
     { GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, 4, VTK_UNSIGNED_SHORT, 8 }, window);
-  this->UploadList(this->Starts, atlas.Starts, { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 }, window);
+  this->UploadList(this->Starts, atlas.Starts, numbers, window);
 }
 
 //------------------------------------------------------------------------------
@@ -239,8 +242,8 @@ void LineTextures::UploadBytes(
 //------------------------------------------------------------------------------
 void LineTextures::Release(vtkWindow* window)
 {
-  for (TermTexture* texture : { &this->Bricks, &this->Cells, &this->Sources, &this->Voxels, &this->Starts,
-         &this->Harmonics, &this->Coefficients, &this->Ranges })
+  for (TermTexture* texture : { &this->Bricks, &this->Cells, &this->Ranks, &this->FirstSources,
+         &this->Sources, &this->Voxels, &this->Starts, &this->Harmonics, &this->Coefficients, &this->Ranges })
   {
     texture->Release(window);
   }

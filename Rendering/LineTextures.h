@@ -35,11 +35,13 @@ public:
   glm::ivec2 AtlasSize = glm::ivec2(0); // 0: there are no lines
   int NumberOfVoxels = 0;
 
-  TermTexture Bricks;  // of each brick the texel of its tile, or the distance to the next brick with one
-  TermTexture Cells;   // of each tile which cells have lines
-  TermTexture Sources; // of each texel of the atlas the number of its voxel; -1: none
-  TermTexture Voxels;  // place in the grid
-  TermTexture Starts;  // of each type, of each voxel, the first coefficient
+  TermTexture Bricks; // of each brick the texel of its tile, or the distance to the next brick with one
+  TermTexture Cells;  // of each tile which cells have lines
+  TermTexture Ranks;  // of each texel of the atlas which of its tile's voxels it holds, from 1 on; 0: none
+  TermTexture FirstSources; // of each tile where its voxels begin
+  TermTexture Sources;      // numbers of voxels
+  TermTexture Voxels;       // place in the grid
+  TermTexture Starts;       // of each type, of each voxel, the first coefficient
   TermTexture Harmonics;
   TermTexture Coefficients;
   TermTexture Ranges; // 8 bits alone: of each type, of each voxel, degree 0 and what 1 stands for above it
