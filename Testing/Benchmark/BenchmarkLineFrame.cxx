@@ -217,8 +217,8 @@ int main(int argc, char* argv[])
   {
     const int copies = static_cast<int>(segments / fewest);
     AddVoxels(all, "voxels of finer segments", MakeSpirals(segments, segments / LinesOfFineSegments));
-    AddVoxels(all, "voxels of the same lines, thinner", few, Radius / copies, copies);
-    AddVoxels(all, "voxels of the same lines, as thick", few, Radius, copies);
+    AddVoxels(all, "voxels of the same lines made thinner", few, Radius / copies, copies);
+    AddVoxels(all, "voxels of the same lines as thick", few, Radius, copies);
     AddVoxels(all, "voxels of more lines", MakeSpirals(segments, 200));
   }
   for (vtkIdType segments = 10000; segments <= largestGeometry; segments *= 10)
