@@ -8,6 +8,7 @@
 
 #include "HarmonicBasis.h"
 #include "LineVoxels.h"
+#include "Optics.h"
 #include "VoxelEvaluation.h"
 
 #include "vtkCamera.h"
@@ -66,6 +67,7 @@ public:
 
   std::vector<LineScale> Scales;
   vtkPiecewiseFunction* Function = nullptr;
+  double OpacityLength = 1.0; // of the drawn opacity, as a share of a voxel's mean chord
 
   void EvaluateBrick(long long brick)
   {
@@ -162,13 +164,19 @@ private:
     }
     if (depth > 0.0)
     {
-      const double opacity = 1.0 - std::exp(-depth);
       for (int c = 0; c < 3; ++c)
       {
         rgba[c] = this->ToScalar(color[c] / depth);
       }
-      rgba[3] = this->ToScalar(this->Function ? this->Function->GetValue(opacity) : opacity);
+      rgba[3] = this->ToScalar(optics::OneMinusExp(this->OpacityLength * this->DrawnDepth(depth)));
     }
+  }
+
+  double DrawnDepth(double depth) const
+  {
+    const double opacity = this->Function ? this->Function->GetValue(optics::OneMinusExp(depth)) : 0.0;
+    return std::min(
+      this->Function ? optics::OpticalDepth(std::clamp(opacity, 0.0, 1.0)) : depth, optics::LargestLineDepth);
   }
 
   bool HasOccupiedAround(long long brick) const

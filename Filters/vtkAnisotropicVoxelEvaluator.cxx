@@ -4,6 +4,7 @@
 #include "vtkAnisotropicVoxelEvaluator.h"
 
 #include "Batches.h"
+#include "BlockCropping.h"
 #include "LineVoxels.h"
 #include "ParameterRange.h"
 #include "VoxelImage.h"
@@ -11,6 +12,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -18,6 +20,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -31,14 +34,41 @@ using volumeoptics::LineVoxels;
 
 namespace
 {
+// VTK's table of opacities has as many entries as the least distance of two points asks for, and is looked up half an
+// entry too low, which takes light off thin lines. A little less than what every OpenGL has room for.
+const double OpacityTableEntries = 8000.0;
+
 const char* const ViewDirectionsNames[] = { "PerVoxel", "PerBlock" };
 
-template <class Scalar>
-bool RunEvaluation(volumeoptics::VoxelImage<Scalar> image, const std::vector<volumeoptics::LineScale>& scales,
-  vtkPiecewiseFunction* function, bool marksRange, long long bricks, volumeoptics::Batches& batches)
+// VTK's mapper on the CPU draws four components of bytes alone.
+bool DrawsOnCPU(vtkAbstractVolumeMapper* mapper)
 {
-  image.Scales = scales;
-  image.Function = function;
+  auto* smart = vtkSmartVolumeMapper::SafeDownCast(mapper);
+  return vtkFixedPointVolumeRayCastMapper::SafeDownCast(mapper) ||
+    (smart && smart->GetRequestedRenderMode() == vtkSmartVolumeMapper::RayCastRenderMode);
+}
+
+void SetUpProperty(vtkVolumeProperty* property, double largestScalar, double unitDistance)
+{
+  vtkNew<vtkPiecewiseFunction> opacity;
+  for (const double value : { 0.0, 1.0 / OpacityTableEntries, 1.0 })
+  {
+    opacity->AddPoint(value * largestScalar, value);
+  }
+  property->IndependentComponentsOff();
+  property->SetInterpolationTypeToLinear();
+  property->ShadeOff();
+  property->SetScalarOpacity(opacity);
+  for (int component = 0; component < 4; ++component) // VTK takes that of the opacity's component
+  {
+    property->SetScalarOpacityUnitDistance(component, unitDistance);
+  }
+}
+
+template <class Scalar>
+bool RunEvaluation(
+  volumeoptics::VoxelImage<Scalar>& image, bool marksRange, long long bricks, volumeoptics::Batches& batches)
+{
   const bool isDone = batches.Run(bricks, 0.7, [&](long long brick) { image.EvaluateBrick(brick); }) &&
     batches.Run(bricks, 1.0, [&](long long brick) { image.SpreadBrick(brick); });
   if (isDone && marksRange)
@@ -50,7 +80,12 @@ bool RunEvaluation(volumeoptics::VoxelImage<Scalar> image, const std::vector<vol
 }
 
 //------------------------------------------------------------------------------
-vtkAnisotropicVoxelEvaluator::vtkAnisotropicVoxelEvaluator() = default;
+vtkAnisotropicVoxelEvaluator::vtkAnisotropicVoxelEvaluator()
+  : Cropping(std::make_unique<volumeoptics::BlockCropping>())
+{
+}
+
+//------------------------------------------------------------------------------
 vtkAnisotropicVoxelEvaluator::~vtkAnisotropicVoxelEvaluator() = default;
 
 //------------------------------------------------------------------------------
@@ -59,6 +94,7 @@ void vtkAnisotropicVoxelEvaluator::SetCamera(vtkCamera* camera)
   if (this->Camera != camera)
   {
     this->Camera = camera;
+    this->Cropping->Follow(camera);
     this->Modified();
   }
 }
@@ -149,6 +185,18 @@ void vtkAnisotropicVoxelEvaluator::SetOutputScalarType(int type)
 }
 
 //------------------------------------------------------------------------------
+void vtkAnisotropicVoxelEvaluator::SetOpacityLength(double share)
+{
+  volumeoptics::SetWithinRange(this, "OpacityLength", share, 1.0 / 256.0, 1.0, this->OpacityLength);
+}
+
+//------------------------------------------------------------------------------
+double vtkAnisotropicVoxelEvaluator::GetOutputOpacityLength() const
+{
+  return this->OutputScalarType == VTK_UNSIGNED_CHAR ? 1.0 : this->OpacityLength;
+}
+
+//------------------------------------------------------------------------------
 double vtkAnisotropicVoxelEvaluator::GetScalarOpacityUnitDistance(vtkImageData* voxels)
 {
   std::string error = "none";
@@ -173,26 +221,43 @@ void vtkAnisotropicVoxelEvaluator::SetUpVolume(vtkVolume* volume)
   }
   vtkAlgorithmOutput* input = this->GetInputConnection(0, 0);
   input->GetProducer()->Update(input->GetIndex());
-  const double distance =
-    GetScalarOpacityUnitDistance(vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0)));
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(volumeoptics::LargestOfScalar(this->OutputScalarType), 1.0);
-  vtkVolumeProperty* property = volume->GetProperty();
-  property->IndependentComponentsOff();
-  property->SetInterpolationTypeToLinear();
-  property->ShadeOff();
-  property->SetScalarOpacity(opacity);
-  for (int component = 0; component < 4; ++component) // VTK takes that of the opacity's component
+  auto* voxels = vtkImageData::SafeDownCast(this->GetInputDataObject(0, 0));
+  const bool isOnCPU = DrawsOnCPU(volume->GetMapper());
+  if (isOnCPU)
   {
-    property->SetScalarOpacityUnitDistance(component, distance > 0.0 ? distance : 1.0);
+    this->SetOutputScalarType(VTK_UNSIGNED_CHAR);
   }
+  const double distance = this->GetOutputOpacityLength() * GetScalarOpacityUnitDistance(voxels);
+  SetUpProperty(volume->GetProperty(), volumeoptics::LargestOfScalar(this->OutputScalarType),
+    distance > 0.0 ? distance : 1.0);
   auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(volume->GetMapper());
   if (mapper)
   {
     mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
   }
-  this->SetMarkOpacityRange(mapper == nullptr);
+  this->SetMarkOpacityRange(!mapper && !isOnCPU);
+}
+
+//------------------------------------------------------------------------------
+// The box of the block's image, from the first voxels' middles to the last ones'.
+void vtkAnisotropicVoxelEvaluator::CropAroundBlock(
+  vtkImageData* block, vtkVolumeMapper* behind, vtkVolumeMapper* inFront)
+{
+  this->Cropping->Clear();
+  if (!block || !behind || !inFront)
+  {
+    return;
+  }
+  std::string error;
+  const LineVoxels voxels(block, error);
+  if (!error.empty())
+  {
+    vtkErrorMacro("The block holds " << error << ". Give the output of vtkAnisotropicLineVoxelizer.");
+    return;
+  }
+  const glm::dvec3 first = voxels.Grid.CenterOf(glm::ivec3(0));
+  const glm::dvec3 last = voxels.Grid.CenterOf(voxels.Grid.Dimensions - 1);
+  this->Cropping->Set({ first.x, last.x, first.y, last.y, first.z, last.z }, behind, inFront);
 }
 
 //------------------------------------------------------------------------------
@@ -288,8 +353,11 @@ int vtkAnisotropicVoxelEvaluator::RequestData(
   const bool perVoxel = this->ViewDirections == PerVoxel && !this->Camera->GetParallelProjection();
   volumeoptics::Batches batches(this);
   const auto run = [&](auto zero) {
-    return RunEvaluation(volumeoptics::VoxelImage<decltype(zero)>(voxels, view, perVoxel, output), scales,
-      this->OpacityFunction, this->MarkOpacityRange, voxels.Grid.NumberOfBricks(), batches);
+    volumeoptics::VoxelImage<decltype(zero)> image(voxels, view, perVoxel, output);
+    image.Scales = scales;
+    image.Function = this->OpacityFunction;
+    image.OpacityLength = this->GetOutputOpacityLength();
+    return RunEvaluation(image, this->MarkOpacityRange, voxels.Grid.NumberOfBricks(), batches);
   };
   const bool isDone = this->OutputScalarType == VTK_UNSIGNED_CHAR ? run(static_cast<unsigned char>(0))
     : this->OutputScalarType == VTK_UNSIGNED_SHORT                ? run(static_cast<unsigned short>(0))
@@ -309,6 +377,7 @@ void vtkAnisotropicVoxelEvaluator::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewDirections: " << this->GetViewDirectionsAsString() << "\n";
   os << indent << "OpacityFunction: " << this->OpacityFunction.Get() << "\n";
   os << indent << "MarkOpacityRange: " << this->MarkOpacityRange << "\n";
+  os << indent << "OpacityLength: " << this->OpacityLength << "\n";
   os << indent << "OutputScalarType: " << this->OutputScalarType << "\n";
   for (const auto& scale : this->RadiusScales)
   {

@@ -9,8 +9,8 @@
  * voxel and the point scalars RGBA, of four components. Colour is not multiplied by opacity; it is
  * spread into empty voxels beside occupied ones, so that a mapper's interpolation makes no dark rim.
  *
- * With the output, a mapper needs a property with dependent components and a ScalarOpacityUnitDistance of
- * 4 V/S, V and S the volume and surface of a voxel, for component 3, the opacity's: then a ray is
+ * With the output, a mapper needs a property with dependent components and, for component 3, the opacity's, a
+ * ScalarOpacityUnitDistance of OpacityLength times 4 V/S, V and S the volume and surface of a voxel: then a ray is
  * stopped in a voxel by the share of its mean cross section that lines cover. VTK's GPU mapper builds
  * its table of opacities over the range that occurs in the data and looks into it with values that
  * are a share of the type's range: opacities are wrong unless the two are the same. Either the mapper's
@@ -31,12 +31,19 @@
 #include "vtkSmartPointer.h"       // for camera and function
 #include "vtkVolumeOpticsModule.h" // for export macro
 
-#include <map> // for the scales
+#include <map>    // for the scales
+#include <memory> // for the cropping
 
 class vtkCamera;
 class vtkLightCollection;
 class vtkPiecewiseFunction;
 class vtkVolume;
+class vtkVolumeMapper;
+
+namespace volumeoptics
+{
+class BlockCropping;
+}
 
 class VTKVOLUMEOPTICS_EXPORT vtkAnisotropicVoxelEvaluator : public vtkImageAlgorithm
 {
@@ -98,15 +105,27 @@ public:
 
   ///@{
   /**
-   * VTK_UNSIGNED_CHAR (the default) or VTK_UNSIGNED_SHORT: 0 to the type's largest value stand for [0, 1];
-   * or VTK_FLOAT. Bytes lose opacities below 1/510, unsigned shorts below 1/131070.
+   * VTK_UNSIGNED_CHAR or VTK_UNSIGNED_SHORT (the default): 0 to the type's largest value stand for [0, 1];
+   * or VTK_FLOAT. Bytes are what vtkFixedPointVolumeRayCastMapper can draw; they lose opacities below 1/510.
    */
   void SetOutputScalarType(int type);
   vtkGetMacro(OutputScalarType, int);
   ///@}
 
+  ///@{
   /**
-   * 4 V/S of the voxels of an image, in world units; 0 if it holds none.
+   * The length whose opacity the output's fourth component is, as a share of the mean chord 4 V/S of a voxel, in
+   * [1/256, 1]. A mapper interpolates opacities; those of a short length are proportional to extinction,
+   * of which nothing is lost then between a voxel and an empty one. Bytes are too coarse for it: they always hold the
+   * opacity of the whole chord. Default 1/4.
+   */
+  void SetOpacityLength(double share);
+  vtkGetMacro(OpacityLength, double);
+  ///@}
+
+  /**
+   * 4 V/S of the voxels of an image, in world units; 0 if it holds none. Times OpacityLength (bytes: 1) it is the
+   * ScalarOpacityUnitDistance of the output.
    */
   static double GetScalarOpacityUnitDistance(vtkImageData* voxels);
 
@@ -124,9 +143,20 @@ public:
    * Sets what a volume needs to draw the output. Its property: dependent components, linear
    * interpolation, no shading, opacity as it is, and the ScalarOpacityUnitDistance of the input, which is
    * brought up to date. Its mapper, set before: the native range where it is a GPU mapper, and then
-   * MarkOpacityRange off, otherwise on. Call again for other voxels.
+   * MarkOpacityRange off, as where it draws on the CPU, which takes bytes; otherwise on. Call again for other voxels, and when
+   * OpacityLength or OutputScalarType have changed.
    */
   void SetUpVolume(vtkVolume* volume);
+
+  /**
+   * Lets a block of other voxels, finer ones of the same lines for example, take the place of a part of these
+   * [Schussman2004] fig. 7. The block has an evaluator, a mapper and a volume of its own. The output of this
+   * evaluator is drawn by two mappers, which are cropped here, one to what lies behind the block and one to what
+   * lies in front of it; a renderer draws volumes in the order in which they are added: first behind, then the
+   * block, then inFront. Cropping follows the camera. block: the voxels, along the same axes. Null, for any of the
+   * three, undoes it.
+   */
+  void CropAroundBlock(vtkImageData* block, vtkVolumeMapper* behind, vtkVolumeMapper* inFront);
 
   /**
    * Whether lights, for example a renderer's, are those that are baked into the voxels, as far as these are up to
@@ -148,15 +178,18 @@ private:
   vtkAnisotropicVoxelEvaluator(const vtkAnisotropicVoxelEvaluator&) = delete;
   void operator=(const vtkAnisotropicVoxelEvaluator&) = delete;
 
+  double GetOutputOpacityLength() const;
   void SetScale(std::map<int, double>& scales, const char* name, int type, double scale, double largest);
 
   vtkSmartPointer<vtkCamera> Camera;
   int ViewDirections = PerVoxel;
   std::map<int, double> RadiusScales, OpacityScales;
   vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
+  std::unique_ptr<volumeoptics::BlockCropping> Cropping;
   bool MarkOpacityRange = true;
   bool HasWarnedOfLights = false;
-  int OutputScalarType = VTK_UNSIGNED_CHAR;
+  int OutputScalarType = VTK_UNSIGNED_SHORT;
+  double OpacityLength = 0.25;
 };
 
 #endif

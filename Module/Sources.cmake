@@ -34,6 +34,7 @@ set(rendering_classes
 set(filter_sources
   AnisotropyCode
   Batches
+  BlockCropping
   CovarianceField
   CovarianceKernel
   CovarianceSampler

@@ -14,7 +14,8 @@
 #include "vtkShaderProgram.h"
 #include "vtk_glew.h"
 
-#include <iterator>
+#include <algorithm>
+#include <utility>
 
 using volumeoptics::LineScale;
 
@@ -37,6 +38,53 @@ std::vector<double> KeyOf(
 void SetVector(vtkShaderProgram* program, const char* name, const glm::vec3& vector)
 {
   program->SetUniform3f(name, &vector.x);
+}
+
+template <class Textures>
+void BindAll(const Textures& textures, vtkShaderProgram* program)
+{
+  for (const auto& [name, texture] : textures)
+  {
+    if (*texture)
+    {
+      texture->Bind(name, program);
+    }
+  }
+}
+
+template <class Textures>
+void UnbindAll(const Textures& textures)
+{
+  for (const auto& [name, texture] : textures)
+  {
+    texture->Unbind();
+  }
+}
+
+void SetView(vtkShaderProgram* program, const LineView& view)
+{
+  SetVector(program, "in_eye", view.Position);
+  SetVector(program, "in_toEye", view.ToEye);
+  program->SetUniformi("in_isParallel", view.IsParallel ? 1 : 0);
+}
+
+void SetTypes(vtkShaderProgram* program, const LineTextures& lines, const std::vector<LineScale>& scales)
+{
+  std::vector<glm::vec3> factors, least, largest;
+  for (std::size_t i = 0; i < lines.Types.size(); ++i)
+  {
+    const LineTextures::Type& type = lines.Types[i];
+    factors.emplace_back(scales[i].Radius, scales[i].Opacity, type.Scale);
+    least.push_back(type.LeastColor);
+    largest.push_back(type.LargestColor);
+  }
+  const auto set = [&](const char* name, const std::vector<glm::vec3>& values) {
+    program->SetUniform3fv(
+      name, static_cast<int>(values.size()), reinterpret_cast<const float(*)[3]>(values.data()));
+  };
+  set("in_scales", factors);
+  set("in_leastColors", least);
+  set("in_largestColors", largest);
 }
 }
 
@@ -62,13 +110,12 @@ void LineEvaluation::Update(LineTextures& lines, const LineView& view, const std
   this->Window = window;
   const double range[2] = { 0.0, 1.0 };
   this->Function.Update(function ? function : this->Identity.Get(), range, window);
-  const bool isNew = this->Allocate(lines.AtlasSize, bits, window);
+  this->Allocate(lines, std::max(bits, 16), window);
 
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglColorMask colorMask(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullFace(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
@@ -76,136 +123,113 @@ void LineEvaluation::Update(LineTextures& lines, const LineView& view, const std
   state->PushFramebufferBindings();
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind(GL_DRAW_FRAMEBUFFER);
-  this->Framebuffer->AddColorAttachment(0, this->Atlas.Get());
-  this->Framebuffer->ActivateDrawBuffer(0);
-  state->vtkglViewport(0, 0, this->Atlas->GetWidth(), this->Atlas->GetHeight());
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (isNew)
-  {
-    state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    state->vtkglClear(GL_COLOR_BUFFER_BIT);
-  }
-  state->vtkglPointSize(1.0F);
-  this->Draw(lines, view, scales, function != nullptr);
+  this->Evaluate(lines, view, scales, function != nullptr);
+  this->Place(lines);
   state->PopFramebufferBindings();
   this->Evaluated = key;
 }
 
 //------------------------------------------------------------------------------
-bool LineEvaluation::Allocate(const glm::ivec2& size, int bits, vtkOpenGLRenderWindow* window)
+void LineEvaluation::Allocate(const LineTextures& lines, int bits, vtkOpenGLRenderWindow* window)
 {
-  const bool fits = this->Atlas.IsAlive(window) && bits == this->Bits &&
-    glm::ivec2(this->Atlas->GetWidth(), this->Atlas->GetHeight()) == size;
-  if (fits)
+  const auto fits = [&](const TermTexture& texture, const glm::ivec2& size) {
+    return texture.IsAlive(window) && glm::ivec2(texture->GetWidth(), texture->GetHeight()) == size;
+  };
+  const glm::ivec2 list(lines.Voxels->GetWidth(), lines.Voxels->GetHeight());
+  if (bits != this->Bits || !fits(this->Atlas, lines.AtlasSize) || !fits(this->Looks, list))
   {
-    return false;
+    this->Bits = bits;
+    this->AllocateTarget(this->Atlas, lines.AtlasSize);
+    this->Atlas.Interpolate();
+    this->AllocateTarget(this->Looks, list);
   }
-  this->Bits = bits;
-  vtkTextureObject* texture = this->Atlas.Renew(window);
-  texture->SetInternalFormat(bits == 32 ? GL_RGBA32F : GL_RGBA16F);
-  texture->SetFormat(GL_RGBA);
-  texture->SetDataType(GL_FLOAT);
-  this->Atlas.Interpolate();
-  texture->Allocate2D(size.x, size.y, 4, VTK_FLOAT);
-  return true;
 }
 
 //------------------------------------------------------------------------------
-void LineEvaluation::Draw(
+void LineEvaluation::AllocateTarget(TermTexture& target, const glm::ivec2& size)
+{
+  vtkTextureObject* texture = target.Renew(this->Window);
+  texture->SetInternalFormat(this->Bits == 32 ? GL_RGBA32F : GL_RGBA16F);
+  texture->SetFormat(GL_RGBA);
+  texture->SetDataType(GL_FLOAT);
+  texture->Allocate2D(size.x, size.y, 4, VTK_FLOAT);
+}
+
+//------------------------------------------------------------------------------
+void LineEvaluation::Evaluate(
   LineTextures& lines, const LineView& view, const std::vector<LineScale>& scales, bool mapsOpacity)
 {
-  this->MakeProgramReady(lines);
-  vtkShaderProgram* program = this->Program;
-  this->SetSizes(lines);
-  this->SetView(view);
-  this->SetTypes(lines, scales);
+  vtkShaderProgram* program = this->MakeProgramReady(LineEvaluationFragmentShader(
+    lines.MaximumOrder, static_cast<int>(lines.Types.size()), static_cast<bool>(lines.Ranges)));
+  SetVector(program, "in_voxelSize", lines.Grid.Voxel);
+  program->SetUniformi("in_numberOfVoxels", lines.NumberOfVoxels);
+  SetView(program, view);
+  SetTypes(program, lines, scales);
   this->Function.SetUniforms("in_opacityFunction", program);
   program->SetUniformi("in_mapsOpacity", mapsOpacity ? 1 : 0);
-  TermTexture* const textures[] = { &lines.Points, &lines.Voxels, &lines.Starts, &lines.Harmonics,
-    &lines.Coefficients };
-  const char* const names[] = { "in_points", "in_voxels", "in_starts", "in_harmonics", "in_coefficients" };
-  for (std::size_t i = 0; i < std::size(textures); ++i)
-  {
-    textures[i]->Bind(names[i], program);
-  }
-  this->NoArrays->Bind();
-  glDrawArrays(GL_POINTS, 0, lines.NumberOfPoints);
-  this->NoArrays->Release();
-  for (TermTexture* texture : textures)
-  {
-    texture->Unbind();
-  }
+  const std::pair<const char*, TermTexture*> textures[] = { { "in_voxels", &lines.Voxels },
+    { "in_starts", &lines.Starts }, { "in_harmonics", &lines.Harmonics },
+    { "in_coefficients", &lines.Coefficients }, { "in_ranges", &lines.Ranges } };
+  BindAll(textures, program);
+  this->Draw(this->Looks);
+  UnbindAll(textures);
   this->Function.Unbind();
 }
 
 //------------------------------------------------------------------------------
-void LineEvaluation::MakeProgramReady(const LineTextures& lines)
+// A voxel at the face of a brick has a texel in each of the tiles there.
+void LineEvaluation::Place(LineTextures& lines)
 {
-  const std::string vertex =
-    LineEvaluationVertexShader(lines.MaximumOrder, static_cast<int>(lines.Types.size()));
-  const std::string fragment = LineEvaluationFragmentShader();
-  this->Program = this->Window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
+  vtkShaderProgram* program = this->MakeProgramReady(LinePlacementFragmentShader());
+  const std::pair<const char*, TermTexture*> textures[] = { { "in_ranks", &lines.Ranks },
+    { "in_firstSources", &lines.FirstSources }, { "in_sources", &lines.Sources },
+    { "in_evaluated", &this->Looks } };
+  BindAll(textures, program);
+  this->Draw(this->Atlas);
+  UnbindAll(textures);
 }
 
 //------------------------------------------------------------------------------
-void LineEvaluation::SetSizes(const LineTextures& lines)
+vtkShaderProgram* LineEvaluation::MakeProgramReady(const std::string& fragment)
 {
-  vtkShaderProgram* program = this->Program;
-  SetVector(program, "in_voxelSize", lines.Grid.Voxel);
-  const glm::vec2 atlasSize = lines.AtlasSize;
-  program->SetUniform2f("in_atlasSize", &atlasSize.x);
-  program->SetUniformi("in_numberOfVoxels", lines.NumberOfVoxels);
+  return this->Window->GetShaderCache()->ReadyShaderProgram(
+    LineEvaluationVertexShader().c_str(), fragment.c_str(), "");
 }
 
 //------------------------------------------------------------------------------
-void LineEvaluation::SetView(const LineView& view)
+void LineEvaluation::Draw(TermTexture& target)
 {
-  vtkShaderProgram* program = this->Program;
-  SetVector(program, "in_eye", view.Position);
-  SetVector(program, "in_toEye", view.ToEye);
-  program->SetUniformi("in_isParallel", view.IsParallel ? 1 : 0);
-}
-
-//------------------------------------------------------------------------------
-void LineEvaluation::SetTypes(const LineTextures& lines, const std::vector<LineScale>& scales)
-{
-  std::vector<glm::vec3> factors, least, largest;
-  for (std::size_t i = 0; i < lines.Types.size(); ++i)
-  {
-    const LineTextures::Type& type = lines.Types[i];
-    factors.emplace_back(scales[i].Radius, scales[i].Opacity, type.Scale);
-    least.push_back(type.LeastColor);
-    largest.push_back(type.LargestColor);
-  }
-  vtkShaderProgram* program = this->Program;
-  const auto set = [&](const char* name, const std::vector<glm::vec3>& values) {
-    program->SetUniform3fv(
-      name, static_cast<int>(values.size()), reinterpret_cast<const float(*)[3]>(values.data()));
-  };
-  set("in_scales", factors);
-  set("in_leastColors", least);
-  set("in_largestColors", largest);
+  this->Framebuffer->AddColorAttachment(0, target.Get());
+  this->Framebuffer->ActivateDrawBuffer(0);
+  this->Window->GetState()->vtkglViewport(0, 0, target->GetWidth(), target->GetHeight());
+  this->NoArrays->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->NoArrays->Release();
 }
 
 //------------------------------------------------------------------------------
 void LineEvaluation::Release(vtkWindow* window)
 {
   this->NoArrays->ReleaseGraphicsResources();
-  this->Program = nullptr;
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Function.Release(window);
   this->Atlas.Release(window);
+  this->Looks.Release(window);
   this->Evaluated.clear();
 }
 
 //------------------------------------------------------------------------------
 std::size_t LineEvaluation::GetMemorySize() const
 {
-  const std::size_t texels =
-    this->Atlas ? std::size_t(1) * this->Atlas->GetWidth() * this->Atlas->GetHeight() : 0;
+  std::size_t texels = 0;
+  for (const TermTexture* texture : { &this->Atlas, &this->Looks })
+  {
+    texels += *texture ? std::size_t(1) * (*texture)->GetWidth() * (*texture)->GetHeight() : 0;
+  }
   return texels * this->Bits / 2 + this->Function.GetMemorySize();
 }

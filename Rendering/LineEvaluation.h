@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Colour and opacity of anisotropic voxels as a camera sees them: the GPU evaluates the harmonics of every
-// occupied voxel in the voxel's own view direction, when the view or a scale has changed, into its places in the atlas.
-// Rays interpolate there.
+// occupied voxel in the voxel's own view direction, when the view or a scale has changed, into a list, and copies it to its
+// places in the atlas. Rays interpolate there.
 
 #ifndef LineEvaluation_h
 #define LineEvaluation_h
@@ -14,6 +14,7 @@
 
 #include "vtkNew.h"
 
+#include <string>
 #include <vector>
 
 class vtkOpenGLFramebufferObject;
@@ -47,18 +48,19 @@ public:
   TermTexture Atlas;
 
 private:
-  bool Allocate(const glm::ivec2& size, int bits, vtkOpenGLRenderWindow* window); // whether it is new
-  void Draw(LineTextures& lines, const LineView& view, const std::vector<volumeoptics::LineScale>& scales,
+  void Allocate(const LineTextures& lines, int bits, vtkOpenGLRenderWindow* window);
+  void AllocateTarget(TermTexture& target, const glm::ivec2& size);
+  void Evaluate(LineTextures& lines, const LineView& view, const std::vector<volumeoptics::LineScale>& scales,
     bool mapsOpacity);
-  void MakeProgramReady(const LineTextures& lines);
-  void SetSizes(const LineTextures& lines);
-  void SetView(const LineView& view);
-  void SetTypes(const LineTextures& lines, const std::vector<volumeoptics::LineScale>& scales);
+  void Place(LineTextures& lines);
+  vtkShaderProgram* MakeProgramReady(const std::string& fragment);
+  // One fragment for each texel.
+  void Draw(TermTexture& target);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkNew<vtkOpenGLVertexArrayObject> NoArrays; // points have a number and no other attribute
-  vtkShaderProgram* Program = nullptr;
+  vtkNew<vtkOpenGLVertexArrayObject> NoArrays; // vertices have a number and no other attribute
+  TermTexture Looks;                           // of each voxel, one after the other
   vtkNew<vtkPiecewiseFunction> Identity;
   TransferFunctionTexture Function;
   std::vector<double> Evaluated; // what the atlas was evaluated with

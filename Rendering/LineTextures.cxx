@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 using volumeoptics::LineChannels;
 using volumeoptics::LineCoefficients;
@@ -61,7 +62,7 @@ std::string LineTextures::Upload(vtkImageData* image, int bits, vtkOpenGLRenderW
   {
     this->ReadTypes(voxels, bits);
     this->UploadAtlas(atlas, window);
-    this->UploadCoefficients(voxels, bits, window);
+    this->UploadCoefficients(voxels, atlas.Starts, bits, window);
   }
   return error;
 }
@@ -117,15 +118,21 @@ void LineTextures::UploadList(
   {
     width *= 2;
   }
-  const long long height = (texels + width - 1) / width;
-  values.resize(static_cast<std::size_t>(width * height * format.Channels));
+  const glm::ivec2 size(width, (texels + width - 1) / width);
+  values.resize(std::size_t(1) * size.x * size.y * format.Channels);
+  this->UploadTexels(texture, size, values.data(), format, window);
+}
+
+//------------------------------------------------------------------------------
+void LineTextures::UploadTexels(TermTexture& texture, const glm::ivec2& size, void* texels,
+  const Format& format, vtkOpenGLRenderWindow* window)
+{
   texture.Renew(window);
   texture->SetInternalFormat(format.Internal);
   texture->SetFormat(format.External);
   texture->SetDataType(format.Number);
-  texture->Create2DFromRaw(
-    width, static_cast<unsigned int>(height), format.Channels, format.VTKType, values.data());
-  this->MemorySize += static_cast<std::size_t>(width * height * format.Bytes);
+  texture->Create2DFromRaw(size.x, size.y, format.Channels, format.VTKType, texels);
+  this->MemorySize += std::size_t(1) * size.x * size.y * format.Bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -133,7 +140,6 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
 {
   this->AtlasSize = atlas.Size;
   this->NumberOfVoxels = static_cast<int>(atlas.Voxels.size());
-  this->NumberOfPoints = static_cast<int>(atlas.Points.size());
   this->Bricks.Renew(window);
   this->Bricks->SetInternalFormat(GL_RG16UI);
   this->Bricks->SetFormat(GL_RG_INTEGER);
@@ -142,20 +148,22 @@ void LineTextures::UploadAtlas(LineAtlas& atlas, vtkOpenGLRenderWindow* window)
     atlas.Bricks.x, atlas.Bricks.y, atlas.Bricks.z, 2, VTK_UNSIGNED_SHORT, atlas.Tiles.data());
   this->MemorySize += sizeof(std::uint16_t) * atlas.Tiles.size();
 
-  std::vector<std::int32_t> points;
-  for (const LineAtlas::Point& point : atlas.Points)
-  {
-    points.insert(points.end(), { point.Texel, point.Voxel });
-  }
+  const glm::ivec2 tiles = atlas.Size / glm::ivec2(LineAtlas::Tile * LineAtlas::Tile, LineAtlas::Tile);
+  this->UploadTexels(this->Cells, tiles, atlas.Cells.data(),
+    { GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT, 2, VTK_UNSIGNED_INT, 8 }, window);
+  const Format numbers = { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 };
+  this->UploadTexels(this->Ranks, atlas.Size, atlas.Ranks.data(),
+    { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
+  this->UploadTexels(this->FirstSources, tiles, atlas.FirstSources.data(), numbers, window);
+  this->UploadList(this->Sources, atlas.Sources, numbers, window);
   std::vector<std::uint16_t> voxels;
   for (const auto& voxel : atlas.Voxels)
   {
     voxels.insert(voxels.end(), voxel.begin(), voxel.end());
   }
-  this->UploadList(this->Points, points, { GL_RG32I, GL_RG_INTEGER, GL_INT, 2, VTK_INT, 8 }, window);
   this->UploadList(this->Voxels, voxels,
     { GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, 4, VTK_UNSIGNED_SHORT, 8 }, window);
-  this->UploadList(this->Starts, atlas.Starts, { GL_R32I, GL_RED_INTEGER, GL_INT, 1, VTK_INT, 4 }, window);
+  this->UploadList(this->Starts, atlas.Starts, numbers, window);
 }
 
 //------------------------------------------------------------------------------
@@ -170,7 +178,9 @@ void LineTextures::ReadTypes(const LineVoxels& voxels, int bits)
 }
 
 //------------------------------------------------------------------------------
-void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpenGLRenderWindow* window)
+// starts: one after another, of each type in each voxel, and the end.
+void LineTextures::UploadCoefficients(
+  const LineVoxels& voxels, const std::vector<std::int32_t>& starts, int bits, vtkOpenGLRenderWindow* window)
 {
   std::vector<float> texels;
   std::vector<std::uint8_t> harmonics;
@@ -186,6 +196,11 @@ void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpe
   }
   this->UploadList(this->Harmonics, harmonics,
     { GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, VTK_UNSIGNED_CHAR, 1 }, window);
+  if (bits == 8)
+  {
+    this->UploadBytes(texels, starts, window);
+    return;
+  }
   this->UploadList(this->Coefficients, texels,
     { static_cast<unsigned int>(bits == 16 ? GL_RGBA16F : GL_RGBA32F), GL_RGBA, GL_FLOAT, 4, VTK_FLOAT,
       bits / 2 },
@@ -193,10 +208,42 @@ void LineTextures::UploadCoefficients(const LineVoxels& voxels, int bits, vtkOpe
 }
 
 //------------------------------------------------------------------------------
+// Degree 0, of which most of a voxel's look is made, is kept out of the bytes.
+void LineTextures::UploadBytes(
+  const std::vector<float>& texels, const std::vector<std::int32_t>& starts, vtkOpenGLRenderWindow* window)
+{
+  std::vector<std::int8_t> bytes(texels.size(), 0);
+  std::vector<float> ranges;
+  const std::size_t entries = this->Types.size() * this->NumberOfVoxels;
+  for (std::size_t entry = 0; entry < entries; ++entry)
+  {
+    const std::size_t first = LineChannels * starts[entry], end = LineChannels * starts[entry + 1];
+    float largest[LineChannels] = {};
+    for (std::size_t i = first + LineChannels; i < end; ++i)
+    {
+      largest[i % LineChannels] = std::max(largest[i % LineChannels], std::abs(texels[i]));
+    }
+    for (std::size_t i = first + LineChannels; i < end; ++i)
+    {
+      const float range = std::max(largest[i % LineChannels], std::numeric_limits<float>::min());
+      bytes[i] = static_cast<std::int8_t>(std::lround(127.0F * (texels[i] / range)));
+    }
+    for (int c = 0; c < LineChannels; ++c)
+    {
+      ranges.push_back(first < end ? texels[first + c] : 0.0F);
+    }
+    ranges.insert(ranges.end(), largest, largest + LineChannels);
+  }
+  this->UploadList(
+    this->Coefficients, bytes, { GL_RGBA8_SNORM, GL_RGBA, GL_BYTE, 4, VTK_SIGNED_CHAR, 4 }, window);
+  this->UploadList(this->Ranges, ranges, { GL_RGBA16F, GL_RGBA, GL_FLOAT, 4, VTK_FLOAT, 8 }, window);
+}
+
+//------------------------------------------------------------------------------
 void LineTextures::Release(vtkWindow* window)
 {
-  for (TermTexture* texture :
-    { &this->Bricks, &this->Points, &this->Voxels, &this->Starts, &this->Harmonics, &this->Coefficients })
+  for (TermTexture* texture : { &this->Bricks, &this->Cells, &this->Ranks, &this->FirstSources,
+         &this->Sources, &this->Voxels, &this->Starts, &this->Harmonics, &this->Coefficients, &this->Ranges })
   {
     texture->Release(window);
   }

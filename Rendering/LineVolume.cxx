@@ -114,6 +114,7 @@ void LineVolume::SetUniforms(const std::string& name, vtkShaderProgram* program)
   program->SetUniformf(
     (name + "UnitInverse").c_str(), static_cast<float>(grid.Surface() / (4.0 * grid.Volume())));
   this->Lines.Bricks.Bind((name + "Bricks").c_str(), program);
+  this->Lines.Cells.Bind((name + "Cells").c_str(), program);
   this->Evaluation.Atlas.Bind((name + "Atlas").c_str(), program);
 }
 
@@ -121,6 +122,7 @@ void LineVolume::SetUniforms(const std::string& name, vtkShaderProgram* program)
 void LineVolume::UnbindTextures()
 {
   this->Lines.Bricks.Unbind();
+  this->Lines.Cells.Unbind();
   this->Evaluation.Atlas.Unbind();
 }
 

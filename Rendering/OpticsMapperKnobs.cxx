@@ -105,9 +105,9 @@ vtkPiecewiseFunction* vtkOpticsVolumeMapper::GetLineOpacityFunction() const
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetLinePrecision(int bits)
 {
-  if (bits != 16 && bits != 32)
+  if (bits != 8 && bits != 16 && bits != 32)
   {
-    vtkWarningMacro(<< "LinePrecision " << bits << " is not set: choose 16 or 32.");
+    vtkWarningMacro(<< "LinePrecision " << bits << " is not set: choose 8, 16 or 32.");
     return;
   }
   if (this->LinePrecision != bits)

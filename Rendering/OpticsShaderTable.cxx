@@ -59,6 +59,7 @@
 #include "LineEvaluationFragment.h"
 #include "LineEvaluationVertex.h"
 #include "LineLookup.h"
+#include "LinePlacementFragment.h"
 #include "LineRay.h"
 #include "LineShadingImpl.h"
 #include "LineShadingInit.h"
@@ -443,18 +444,25 @@ bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 }
 
 //------------------------------------------------------------------------------
-std::string LineEvaluationVertexShader(int order, int types)
+std::string LineEvaluationVertexShader()
 {
-  const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
-    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + "\n";
-  return "//VTK::System::Dec\n" + constants + Opacity + SphericalHarmonics + CylinderLighting + LineVoxel +
-    LineEvaluationVertex;
+  return LineEvaluationVertex;
 }
 
 //------------------------------------------------------------------------------
-std::string LineEvaluationFragmentShader()
+std::string LineEvaluationFragmentShader(int order, int types, bool inBytes)
 {
-  return LineEvaluationFragment;
+  const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
+    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + (inBytes ? "\n#define OPTICS_LINE_BYTES" : "") +
+    "\n";
+  return "//VTK::System::Dec\n//VTK::Output::Dec\n" + constants + Opacity + SphericalHarmonics +
+    CylinderLighting + LineVoxel + LineEvaluationFragment;
+}
+
+//------------------------------------------------------------------------------
+std::string LinePlacementFragmentShader()
+{
+  return LinePlacementFragment;
 }
 
 //------------------------------------------------------------------------------

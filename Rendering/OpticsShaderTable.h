@@ -136,10 +136,12 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 
 /**
- * The shaders that evaluate anisotropic voxels of an order and a number of line types.
+ * The shaders that evaluate anisotropic voxels of an order and a number of line types, and put them where rays look
+ * them up. inBytes: of 8 bits a number.
  */
-std::string LineEvaluationVertexShader(int order, int types);
-std::string LineEvaluationFragmentShader();
+std::string LineEvaluationVertexShader();
+std::string LineEvaluationFragmentShader(int order, int types, bool inBytes);
+std::string LinePlacementFragmentShader();
 
 /**
  * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.

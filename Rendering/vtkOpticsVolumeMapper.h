@@ -311,8 +311,9 @@ public:
 
   ///@{
   /**
-   * Bits of each number of voxels of lines on the GPU: 16 or 32 (float). Default 16. Other numbers are refused with
-   * a warning.
+   * Bits of each number of voxels of lines on the GPU: 8, 16 or 32 (float). Of 8 bits a coefficient is good to a 254th of
+   * the largest one of its voxel from degree 1 on; degree 0 and what is evaluated keep 16. Default 16. Other
+   * numbers are refused with a warning.
    */
   vtkGetMacro(LinePrecision, int);
   void SetLinePrecision(int bits);

@@ -109,7 +109,6 @@ LineScene::LineScene(
   vtkNew<vtkCamera> camera;
   this->Evaluator->SetInputData(voxels);
   this->Evaluator->SetCamera(camera);
-  this->Evaluator->SetOutputScalarType(VTK_UNSIGNED_SHORT);
   Volume volume;
   volume.Image = vtkSmartPointer<vtkImageData>::New();
   if (lineRenderer == LineRenderer::Mapper)

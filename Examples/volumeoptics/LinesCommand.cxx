@@ -4,6 +4,7 @@
 // volumeoptics lines: one picture of millions of lines, as anisotropic voxels.
 
 #include "Commands.h"
+#include "LineColors.h"
 #include "LineScene.h"
 #include "PictureOptions.h"
 #include "Progress.h"
@@ -37,6 +38,8 @@ struct LinesOptions : PictureOptions
   std::string ColorText = "white";
   std::vector<double> WorldLight;
   vtkIdType Spirals = 0;
+  bool ColorsByDirection = false;
+  double OpacityScale = 1.0;
   LineRenderer Renderer = LineRenderer::Mapper;
 };
 
@@ -100,6 +103,10 @@ void CheckArray(vtkPolyData* lines, const std::string& name)
 vtkSmartPointer<vtkImageData> MakeVoxels(LinesOptions& options)
 {
   const vtkSmartPointer<vtkPolyData> lines = ReadLines(options);
+  if (options.ColorsByDirection)
+  {
+    options.Lines.ColorArray = ColorByDirection(lines);
+  }
   CheckArray(lines, options.Lines.ColorArray);
   CheckArray(lines, options.Lines.RadiusArray);
   vtkNew<vtkNamedColors> colors;
@@ -169,6 +176,7 @@ void Draw(LinesOptions& options)
   LineScene scene(voxels, options.Picture, OffScreenWindow(options.Headless), options.Renderer);
   scene.LightAs(voxels);
   scene.SetRadiusScale(0, options.Lines.RadiusScale);
+  scene.SetOpacityScale(0, options.OpacityScale);
   const double seconds = scene.Render();
   scene.GetScene().WritePng(options.Output);
   Progress::Say(options.Output + ": voxels of " + std::to_string(voxels->GetActualMemorySize() / 1024) +
@@ -182,6 +190,11 @@ void AddMaterial(CLI::App& command, LinesOptions& options)
     ->capture_default_str()
     ->group(group);
   command.add_option("--color-array", options.Lines.ColorArray, "Array of points or cells to colour by")
+    ->group(group);
+  command
+    .add_flag("--color-by-direction", options.ColorsByDirection,
+      "Red, green and blue by the direction along x, y and z, as of tractography")
+    ->excludes("--color-array")
     ->group(group);
   const std::pair<const char*, double*> shares[] = { { "--ambient", &options.Lines.Ambient },
     { "--diffuse", &options.Lines.Diffuse }, { "--specular", &options.Lines.Specular } };
@@ -224,6 +237,10 @@ void AddVoxels(CLI::App& command, LinesOptions& options)
     ->check(CLI::Range(0.0, 1e6))
     ->capture_default_str()
     ->group(group);
+  command.add_option("--opacity-scale", options.OpacityScale, "Factor of the opacity of what is drawn")
+    ->check(CLI::Range(0.0, 1.0))
+    ->capture_default_str()
+    ->group(group);
   command
     .add_option(
       "--tolerance", options.Lines.Tolerance, "Share of a voxel's energy that dropped coefficients may have")
@@ -254,6 +271,7 @@ void AddLinesCommand(CLI::App& program)
   AddVoxels(*command, *options);
   AddMaterial(*command, *options);
   options->BackgroundText = "black";
+  options->AddVisibilityTo(*command);
   options->AddViewTo(*command);
   command->add_option("-o,--output", options->Output, "Picture to write (PNG)")->capture_default_str();
   command->add_flag("--headless", options->Headless, "Use no X server (the default without DISPLAY)");

@@ -248,6 +248,11 @@ CLI::Option* PictureOptions::AddLightingFile(CLI::App& command)
     "Lighting transfer function (JSON): light by pairs of scalars along the gradient");
 }
 
+void PictureOptions::AddVisibilityTo(CLI::App& command)
+{
+  AddVisibility(command, *this);
+}
+
 void PictureOptions::AddViewTo(CLI::App& command)
 {
   AddView(command, *this);

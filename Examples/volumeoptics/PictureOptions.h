@@ -33,6 +33,8 @@ struct PictureOptions
   bool Headless = false;
 
   void AddTo(CLI::App& command);
+  // Occlusion and shadows alone.
+  void AddVisibilityTo(CLI::App& command);
   // Camera, size, light, step and background alone.
   void AddViewTo(CLI::App& command);
   // Completes Picture by what the view's options say.

@@ -71,7 +71,7 @@ std::vector<Setting> Settings(double radius)
   settings.push_back({ "opacity", "product", Spirals(radius) });
   settings.push_back({ "opacity", "thin lines", Spirals(radius) });
   settings.back().Lines.ExactProduct = false;
-  for (int bits : { 16, 32 })
+  for (int bits : { 8, 16, 32 })
   {
     settings.push_back({ "storage", std::to_string(bits) + " bits", Spirals(radius) });
     settings.back().Bits = bits;

@@ -7,6 +7,9 @@
 // Truncated sums below this share of the mean hold more truncation than light.
 const float LeastLineShare = 0.02;
 
+// As opaque as makes a difference: half floats hold it, and the depth of what an opacity function makes opaque.
+const float LargestLineDepth = 12.0;
+
 // Optical depth over the mean chord of a voxel. depth: its sum, kept within DepthBounds(); degree0, degree2: parts
 // of the depth. radiusScale >= 0, opacityScale in [0, 1]. 0 where there is no line.
 float DepthOfLines(float depth, float degree0, float degree2, float radiusScale, float opacityScale)

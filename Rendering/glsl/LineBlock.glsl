@@ -5,6 +5,7 @@
 // its box.
 
 uniform usampler3D in_opticsBlockBricks;
+uniform usampler2D in_opticsBlockCells;
 uniform sampler2D in_opticsBlockAtlas;
 uniform mat4 in_opticsLinesToBlock;
 uniform vec3 in_opticsBlockDimensions;
@@ -48,9 +49,9 @@ float opticsStepsOverNothing(vec3 position, vec3 direction)
   vec2 steps = opticsStepsToBlock(inBlock, wayInBlock);
   bool isWithin = opticsIsWithin(inBlock, in_opticsBlockDimensions);
   float ofBlock = opticsEmptyLineSteps(
-    in_opticsBlockBricks, inBlock, wayInBlock, in_opticsBlockDimensions);
+    in_opticsBlockBricks, in_opticsBlockCells, inBlock, wayInBlock, in_opticsBlockDimensions);
   float ofLines = opticsEmptyLineSteps(
-    in_opticsLineBricks, position, direction, in_opticsLineDimensions);
+    in_opticsLineBricks, in_opticsLineCells, position, direction, in_opticsLineDimensions);
   float toFace = max(isWithin ? ceil(steps.y) : (steps.x <= steps.y ? ceil(steps.x) : 1.0e6), 1.0);
   return min(isWithin ? ofBlock : ofLines, toFace);
 }

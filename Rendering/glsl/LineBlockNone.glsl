@@ -14,5 +14,5 @@ vec4 opticsLinesAt(vec3 position)
 float opticsStepsOverNothing(vec3 position, vec3 direction)
 {
   return opticsEmptyLineSteps(
-    in_opticsLineBricks, position, direction, in_opticsLineDimensions);
+    in_opticsLineBricks, in_opticsLineCells, position, direction, in_opticsLineDimensions);
 }

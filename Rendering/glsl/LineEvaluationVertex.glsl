@@ -1,120 +1,12 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Vertex shader of the atlas of evaluated voxels: a vertex is a voxel at one of its places there. Behind the formulas of
-// Opacity, SphericalHarmonics, CylinderLighting and LineVoxel, and OPTICS_LINE_ORDER, _TYPES.
+//VTK::System::Dec
 
-flat out vec4 evaluated;
-
-uniform vec2 in_atlasSize;
-uniform int in_numberOfVoxels;
-uniform vec3 in_voxelSize;
-uniform vec3 in_eye; // from the corner of the first voxel
-uniform vec3 in_toEye;
-uniform int in_isParallel;
-
-uniform isampler2D in_points;
-uniform usampler2D in_voxels;
-uniform isampler2D in_starts;
-uniform usampler2D in_harmonics;
-uniform sampler2D in_coefficients;
-
-uniform vec3 in_scales[OPTICS_LINE_TYPES]; // of radius, of opacity, of the stored coefficients
-uniform vec3 in_leastColors[OPTICS_LINE_TYPES];
-uniform vec3 in_largestColors[OPTICS_LINE_TYPES];
-
-uniform sampler1D in_opacityFunction;
-uniform vec2 in_opacityFunctionCode;
-uniform int in_mapsOpacity;
-
-// Harmonics in the view direction, by l (l + 1) + m.
-float g_basis[(OPTICS_LINE_ORDER + 1) * (OPTICS_LINE_ORDER + 1)];
-
-void EvaluateBasis(vec3 direction)
-{
-  vec2 azimuth = vec2(ConstantHarmonic, 0.0);
-  for (int m = 0; m <= OPTICS_LINE_ORDER; ++m)
-  {
-    azimuth = m > 0 ? SectoralFactor(m) * NextAzimuth(azimuth, direction) : azimuth;
-    float value = 1.0;
-    float before = 0.0;
-    for (int l = m; l <= OPTICS_LINE_ORDER; ++l)
-    {
-      float next =
-        l > m ? NextLegendre(value, before, direction.z, LegendreGain(l, m), LegendreLoss(l, m)) : 1.0;
-      before = l > m ? value : 0.0;
-      value = next;
-      g_basis[l * (l + 1) - m] = value * azimuth.y;
-      g_basis[l * (l + 1) + m] = value * azimuth.x;
-    }
-  }
-}
-
-ivec2 PlaceInRows(int index, int width)
-{
-  return ivec2(index % width, index / width);
-}
-
-vec3 ToEyeFrom(vec3 voxel)
-{
-  vec3 way = in_eye - (voxel + 0.5) * in_voxelSize;
-  float distance = length(way);
-  return in_isParallel == 1 || distance <= 0.0 ? in_toEye : way / distance;
-}
-
-// Colour times depth, depth, of one line type in a voxel.
-vec4 LinesOfType(int type, int voxel)
-{
-  int width = textureSize(in_starts, 0).x;
-  int entry = type * in_numberOfVoxels + voxel;
-  int first = texelFetch(in_starts, PlaceInRows(entry, width), 0).r;
-  int end = texelFetch(in_starts, PlaceInRows(entry + 1, width), 0).r;
-  int rows = textureSize(in_coefficients, 0).x;
-  int harmonicRows = textureSize(in_harmonics, 0).x;
-  vec4 sums = vec4(0.0);
-  vec4 mean = vec4(0.0);
-  float degree2 = 0.0;
-  for (int i = first; i < end; ++i)
-  {
-    int harmonic = int(texelFetch(in_harmonics, PlaceInRows(i, harmonicRows), 0).r);
-    vec4 part = g_basis[harmonic] * texelFetch(in_coefficients, PlaceInRows(i, rows), 0);
-    sums += part;
-    mean = harmonic == 0 ? part : mean;
-    degree2 += harmonic >= 4 && harmonic < 9 ? part.a : 0.0;
-  }
-  float scale = in_scales[type].z;
-  float depth = DepthOfLines(
-    scale * sums.a, scale * mean.a, scale * degree2, in_scales[type].x, in_scales[type].y);
-  vec3 color = ColorOfLines(
-    vec3(sums), sums.a, vec3(mean), max(mean.a, 1.0e-30), in_leastColors[type], in_largestColors[type]);
-  return vec4(color * depth, depth);
-}
-
-// As opaque as makes a difference; half floats hold it, and the depth of what an opacity function makes opaque.
-const float LargestLineDepth = 12.0;
-
-// Colour times optical depth, optical depth: what may be interpolated without a loss of extinction.
-vec4 EvaluatedVoxel(int voxel)
-{
-  uvec4 place = texelFetch(in_voxels, PlaceInRows(voxel, textureSize(in_voxels, 0).x), 0);
-  EvaluateBasis(ToEyeFrom(vec3(place)));
-  vec4 lines = vec4(0.0);
-  for (int type = 0; type < OPTICS_LINE_TYPES; ++type)
-  {
-    lines += LinesOfType(type, voxel);
-  }
-  float opacity = OneMinusExp(lines.a);
-  float code = opacity * in_opacityFunctionCode.x + in_opacityFunctionCode.y;
-  float mapped = clamp(textureLod(in_opacityFunction, code, 0.0).r, 0.0, 1.0);
-  float drawn = min(in_mapsOpacity == 1 ? OpticalDepth(mapped) : lines.a, LargestLineDepth);
-  return lines.a > 0.0 ? vec4(vec3(lines) / lines.a * drawn, drawn) : vec4(0.0);
-}
+// A triangle around the whole target, from no vertices at all.
 
 void main()
 {
-  ivec2 point = texelFetch(in_points, PlaceInRows(gl_VertexID, textureSize(in_points, 0).x), 0).rg;
-  vec2 texel = vec2(PlaceInRows(point.x, int(in_atlasSize.x)));
-  evaluated = EvaluatedVoxel(point.y);
-  gl_PointSize = 1.0;
-  gl_Position = vec4((texel + 0.5) / in_atlasSize * 2.0 - 1.0, 0.0, 1.0);
+  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
+  gl_Position = vec4(corner * 4.0 - 1.0, 0.0, 1.0);
 }

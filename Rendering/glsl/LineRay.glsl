@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeRayDirection::Dec, after LineBlock or LineBlockNone. A ray over empty bricks.
+// Place ComputeRayDirection::Dec, after LineBlock or LineBlockNone. A ray over what is empty.
 
 bool opticsHasLeft(vec3 texPosition)
 {
@@ -9,8 +9,8 @@ bool opticsHasLeft(vec3 texPosition)
     any(greaterThan(min(g_dirStep, vec3(0.0)) * (texPosition - in_texMin[0]), vec3(0.0)));
 }
 
-// Leaps to the next sample in a brick that is not empty, or ends the ray, where VTK's loop would.
-void opticsLeapOverEmptyBricks()
+// Leaps to the next sample where something may be drawn, or ends the ray, where VTK's loop would.
+void opticsLeapOverNothing()
 {
   vec3 direction = opticsTexToLines(vec4(g_dirStep, 0.0));
   float steps = opticsStepsOverNothing(opticsTexToLines(vec4(g_dataPos, 1.0)), direction);

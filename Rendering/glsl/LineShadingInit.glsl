@@ -3,4 +3,4 @@
 
   // Place Shading::Init. Depth peeling casts a ray in parts, one of which may have ended outside.
   g_exit = false;
-  opticsLeapOverEmptyBricks();
+  opticsLeapOverNothing();

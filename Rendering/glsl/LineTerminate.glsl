@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
     // Place Terminate::Impl, after VTK's text.
-    opticsLeapOverEmptyBricks();
+    opticsLeapOverNothing();

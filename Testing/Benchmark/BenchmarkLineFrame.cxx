@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Frames of spirals as anisotropic voxels, as tubes and as lines, by the number of segments ([Schussman2004] Fig. 9).
-// Lines of ever finer segments fill the same voxels; more lines fill, in the end, the same ones, too. All
+// Ever finer segments of the same lines fill the same voxels, as do the same lines many times over: thinner, so that
+// opacity is the same, or as thick, so that voxels are ever more opaque. More lines, of one radius, fill more voxels. All
 // settings are drawn in turn, so that other programs on the machine slow all of them down; medians of each,
 // ratios of medians. Writes CSV to standard output: real and processor time, as ms.
 //
@@ -95,14 +96,22 @@ vtkSmartPointer<vtkPolyData> MakeSpirals(vtkIdType segments, vtkIdType segmentsP
   return source->GetOutput();
 }
 
-void AddVoxels(Subjects& all, const std::string& kind, vtkPolyData* lines, vtkIdType segments)
+vtkIdType SegmentsOf(vtkPolyData* lines)
 {
-  all.push_back(std::make_unique<Subject>(kind, segments));
+  return lines->GetNumberOfPoints() - lines->GetNumberOfLines();
+}
+
+// copies: how many times over the lines are counted.
+void AddVoxels(
+  Subjects& all, const std::string& kind, vtkPolyData* lines, double radius = Radius, int copies = 1)
+{
+  all.push_back(std::make_unique<Subject>(kind, copies * SegmentsOf(lines)));
   vtkNew<vtkAnisotropicLineVoxelizer> voxelizer;
   voxelizer->SetInputData(lines);
   voxelizer->SetSampleDimensions(256, 256, 256);
   voxelizer->SetModelBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
-  voxelizer->SetRadius(Radius);
+  voxelizer->SetRadius(radius);
+  voxelizer->SetNumberOfPieces(copies); // data that stand alone are given for each piece
   voxelizer->Update();
   vtkDataArray* places = voxelizer->GetOutput()->GetFieldData()->GetArray("LineType0_Places");
   all.back()->OccupiedVoxels = places ? places->GetNumberOfTuples() : 0;
@@ -117,9 +126,9 @@ void AddVoxels(Subjects& all, const std::string& kind, vtkPolyData* lines, vtkId
   all.back()->Renderer->AddVolume(volume);
 }
 
-void AddGeometry(Subjects& all, const std::string& kind, vtkPolyData* lines, vtkIdType segments)
+void AddGeometry(Subjects& all, const std::string& kind, vtkPolyData* lines)
 {
-  all.push_back(std::make_unique<Subject>(kind, segments));
+  all.push_back(std::make_unique<Subject>(kind, SegmentsOf(lines)));
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(lines);
   mapper->ScalarVisibilityOff();
@@ -202,16 +211,21 @@ int main(int argc, char* argv[])
   const auto largest = static_cast<vtkIdType>(argc > 2 ? std::atof(argv[2]) : 1e7);
   const auto largestGeometry = static_cast<vtkIdType>(argc > 3 ? std::atof(argv[3]) : 1e6);
   Subjects all;
-  for (vtkIdType segments = 100000; segments <= largest; segments *= 10)
+  const vtkIdType fewest = 100000;
+  const vtkSmartPointer<vtkPolyData> few = MakeSpirals(fewest, 200);
+  for (vtkIdType segments = fewest; segments <= largest; segments *= 10)
   {
-    AddVoxels(
-      all, "voxels of finer segments", MakeSpirals(segments, segments / LinesOfFineSegments), segments);
-    AddVoxels(all, "voxels of more lines", MakeSpirals(segments, 200), segments);
+    const int copies = static_cast<int>(segments / fewest);
+    AddVoxels(all, "voxels of finer segments", MakeSpirals(segments, segments / LinesOfFineSegments));
+    AddVoxels(all, "voxels of the same lines made thinner", few, Radius / copies, copies);
+    AddVoxels(all, "voxels of the same lines as thick", few, Radius, copies);
+    AddVoxels(all, "voxels of more lines", MakeSpirals(segments, 200));
   }
   for (vtkIdType segments = 10000; segments <= largestGeometry; segments *= 10)
   {
-    AddGeometry(all, "tubes", MakeSpirals(segments, 200), segments);
-    AddGeometry(all, "lines", MakeSpirals(segments, 200), segments);
+    const vtkSmartPointer<vtkPolyData> lines = MakeSpirals(segments, 200);
+    AddGeometry(all, "tubes", lines);
+    AddGeometry(all, "lines", lines);
   }
   for (const auto& subject : all)
   {

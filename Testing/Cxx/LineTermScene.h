@@ -101,6 +101,7 @@ public:
     this->Evaluator->SetInputData(voxels);
     this->Evaluator->SetCamera(camera);
     this->Evaluator->SetOutputScalarType(VTK_FLOAT);
+    this->Evaluator->SetOpacityLength(1.0);
     this->Evaluator->MarkOpacityRangeOff();
   }
 

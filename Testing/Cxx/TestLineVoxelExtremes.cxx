@@ -230,6 +230,55 @@ void CheckBakedLights(Check& check)
   check.That(evaluator->CheckLights(lights), "the voxelizer follows its lights");
 }
 
+struct Watch
+{
+  int Events = 0;
+  double Last = 0.0;
+  bool Rises = true;
+  double AbortAt = 2.0;
+
+  void Observe(vtkAlgorithm* algorithm)
+  {
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
+      auto* watched = vtkAlgorithm::SafeDownCast(caller);
+      auto* seen = static_cast<Watch*>(data);
+      ++seen->Events;
+      seen->Rises = seen->Rises && watched->GetProgress() >= seen->Last;
+      seen->Last = watched->GetProgress();
+      watched->SetAbortExecute(seen->Last >= seen->AbortAt);
+    });
+    algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+  }
+};
+
+void CheckAbortOfEvaluator(Check& check, vtkImageData* voxels)
+{
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkAnisotropicVoxelEvaluator> evaluator;
+  evaluator->SetInputData(voxels);
+  evaluator->SetCamera(camera);
+  Watch watch;
+  watch.Observe(evaluator);
+  for (double abortAt : { 0.01, 0.5, 0.9 })
+  {
+    watch.Last = 0.0;
+    watch.AbortAt = abortAt;
+    evaluator->Modified();
+    evaluator->Update();
+    check.Near("aborted evaluation", evaluator->GetOutput()->GetNumberOfPoints(), 0.0, 0.0);
+    evaluator->AbortExecuteOff();
+  }
+  watch = Watch();
+  evaluator->Modified();
+  evaluator->Update();
+  check.AtLeast("progress events of the evaluator", watch.Events, 20.0);
+  check.That(watch.Rises && watch.Last == 1.0, "the evaluator's progress rises to 1");
+  check.Near(
+    "after an aborted evaluation", evaluator->GetOutput()->GetNumberOfPoints(), 64.0 * 64.0 * 64.0, 0.0);
+}
+
 void CheckAbortAndProgress(Check& check)
 {
   vtkNew<vtkAnalyticLineSource> source;
@@ -238,24 +287,8 @@ void CheckAbortAndProgress(Check& check)
   vtkNew<vtkAnisotropicLineVoxelizer> voxelizer;
   voxelizer->SetInputConnection(source->GetOutputPort());
   voxelizer->SetSampleDimensions(64, 64, 64);
-  struct Watch
-  {
-    int Events = 0;
-    double Last = 0.0;
-    bool Rises = true;
-    double AbortAt = 2.0;
-  } watch;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&watch);
-  command->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-    auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
-    auto* seen = static_cast<Watch*>(data);
-    ++seen->Events;
-    seen->Rises = seen->Rises && algorithm->GetProgress() >= seen->Last;
-    seen->Last = algorithm->GetProgress();
-    algorithm->SetAbortExecute(seen->Last >= seen->AbortAt);
-  });
-  voxelizer->AddObserver(vtkCommand::ProgressEvent, command);
+  Watch watch;
+  watch.Observe(voxelizer);
   voxelizer->Update();
   check.AtLeast("progress events", watch.Events, 20.0);
   check.That(watch.Rises && watch.Last == 1.0, "progress rises to 1");
@@ -272,6 +305,7 @@ void CheckAbortAndProgress(Check& check)
   voxelizer->Modified();
   voxelizer->Update();
   check.AtLeast("after an abort", lines::CountOf(voxelizer->GetOutput(), "LineType0_Places"), 1.0);
+  CheckAbortOfEvaluator(check, voxelizer->GetOutput());
 }
 }
 

@@ -4,16 +4,19 @@
 // The evaluator's RGBA in VTK's own mapper: opacity and colour of a uniform bundle as the closed form says, no
 // dark rim, per block as per voxel, transfer function and scales.
 
+#include "FloatTarget.h"
 #include "LineTesting.h"
 #include "Optics.h"
 #include "WindowPixels.h"
 
 #include "vtkAnalyticLineSource.h"
 #include "vtkCamera.h"
+#include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSmartVolumeMapper.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -66,6 +69,31 @@ glm::dvec3 PixelAt(const std::vector<unsigned char>& pixels, int x, int y)
 // Of a voxel that is crossed along an edge, 1.5 times its mean chord, with .2 of its face covered.
 const double Depth = 1.5 * optics::MeanDepthOfShare(0.2 / 1.5) / (TwoPi / 8.0);
 
+// On the CPU, of bytes; and by the mapper that chooses one, of the opaque voxel that marks the range, beside the middle.
+void CheckOtherMappers(Check& check, Scene& scene, double through)
+{
+  vtkNew<vtkFixedPointVolumeRayCastMapper> onCPU;
+  onCPU->SetAutoAdjustSampleDistances(0);
+  onCPU->SetSampleDistance(0.05F);
+  vtkNew<vtkSmartVolumeMapper> smart;
+  smart->SetAutoAdjustSampleDistances(0);
+  smart->SetSampleDistance(0.05F);
+  smart->SetRequestedRenderModeToGPU();
+  const int type = scene.Evaluator->GetOutputScalarType();
+  for (vtkVolumeMapper* mapper :
+    { static_cast<vtkVolumeMapper*>(smart), static_cast<vtkVolumeMapper*>(onCPU) })
+  {
+    mapper->SetInputConnection(scene.Evaluator->GetOutputPort());
+    scene.Volume->SetMapper(mapper);
+    scene.Evaluator->SetUpVolume(scene.Volume);
+    const auto pixels = RenderPixels(scene.Window);
+    check.Near(mapper->GetClassName(), PixelAt(pixels, 75, 60).y, through, 0.03);
+  }
+  check.That(scene.Evaluator->GetOutputScalarType() == VTK_UNSIGNED_CHAR, "no bytes on the CPU");
+  scene.Evaluator->SetOutputScalarType(type);
+  scene.Volume->SetMapper(scene.Mapper);
+}
+
 // Lines along x, one in each voxel of a slab n voxels thick, on white: of the light behind, exp(-sum tau)
 // comes through.
 void CheckOpacity(Check& check)
@@ -113,6 +141,7 @@ void CheckOpacity(Check& check)
     }
     check.AtLeast("no dark rim", least, 0.985);
   }
+  CheckOtherMappers(check, scene, std::exp(-6.0 * Depth));
   scene.MarksRange = true;
   const auto marked = scene.Render();
   check.Near("marked range", PixelAt(marked, 75, 60).y, std::exp(-6.0 * Depth), 0.03);
@@ -129,6 +158,42 @@ void CheckOpacity(Check& check)
   none->AddPoint(1.0, 0.0);
   scene.Evaluator->SetOpacityFunction(none);
   check.Near("opacity function", PixelAt(scene.Render(), 75, 75).y, 1.0, 0.0);
+}
+
+// One line among empty voxels: the optical depth, summed over the picture, is that of its voxels times a quarter of
+// their surface, however it is interpolated. Opacities of a quarter of the chord, in place of depths, lose less than 3 % of the
+// thick line (those of the whole chord 12 %), VTK's table of 8000 opacities less of the thin one (of 1024, 10 %: half of
+// an entry of the mean depth .02).
+void CheckExtinction(Check& check)
+{
+  Scene scene;
+  const int n = 16;
+  scene.Voxelizer->SetInputData(lines::MakeLines({ { { 2.2, 6.1, 7.3 }, { 13.6, 9.4, 8.8 } } }));
+  scene.Voxelizer->SetSampleDimensions(n, n, n);
+  scene.Voxelizer->SetModelBounds(0.0, n, 0.0, n, 0.0, n);
+  scene.Mapper->SetSampleDistance(0.1F);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(n / 2.0, n / 2.0, n / 2.0);
+  camera->SetPosition(n / 2.0, n / 2.0, 50.0);
+  camera->SetParallelScale(n / 2.0);
+  for (double radius : { 0.05, 0.25 })
+  {
+    scene.Voxelizer->SetRadius(radius);
+    scene.Evaluator->SetUpVolume(scene.Volume);
+    scene.Renderer->ResetCameraClippingRange();
+    const std::vector<float> pixels = RenderFloat(scene.Window, scene.Renderer);
+    double drawn = 0.0, wanted = 0.0;
+    for (std::size_t i = 3; i < pixels.size(); i += 4)
+    {
+      drawn -= std::log1p(-double(pixels[i])) * (n / 150.0) * (n / 150.0);
+    }
+    const vtkIdType voxels = lines::CountOf(scene.Voxelizer->GetOutput(), "LineType0_Places");
+    for (vtkIdType v = 0; v < voxels; ++v)
+    {
+      wanted += 1.5 * lines::Look(scene.Voxelizer->GetOutput(), { 0.0, 0.0, 1.0 }, v).Depth;
+    }
+    check.Near("extinction of a line of radius " + std::to_string(radius), drawn / wanted, 1.0, 0.03);
+  }
 }
 
 // In perspective, one direction a block is near one a voxel.
@@ -167,6 +232,7 @@ int TestLineVoxelPictures(int, char*[])
 {
   Check check;
   CheckOpacity(check);
+  CheckExtinction(check);
   CheckBlocks(check);
   return check.ExitCode();
 }

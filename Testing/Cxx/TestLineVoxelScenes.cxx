@@ -86,6 +86,13 @@ void CheckMemory(Check& check)
   scene.Mapper->SetLinePrecision(32);
   scene.Render();
   check.AtLeast("32 bits", 1024.0 * static_cast<double>(scene.Mapper->GetTermMemorySize()), 1.4 * ofSmall);
+  scene.Mapper->SetLinePrecision(8);
+  scene.Render();
+  // 4 bytes a coefficient less, 16 a voxel more
+  const double saved =
+    4.0 * coefficients - 16.0 * static_cast<double>(lines::CountOf(small, "LineType0_Places"));
+  const double ofBytes = 1024.0 * static_cast<double>(scene.Mapper->GetTermMemorySize());
+  check.Near("8 bits", ofSmall - ofBytes, saved, 0.1 * saved + 4096.0);
 }
 
 void CheckMessages(Check& check)

@@ -35,7 +35,6 @@ int TestLineVoxelSpirals(int argc, char* argv[])
   vtkNew<vtkAnisotropicVoxelEvaluator> evaluator;
   evaluator->SetInputConnection(voxelizer->GetOutputPort());
   evaluator->SetCamera(scene.Camera);
-  evaluator->SetOutputScalarType(VTK_UNSIGNED_SHORT);
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
   mapper->SetInputConnection(evaluator->GetOutputPort());
   mapper->SetAutoAdjustSampleDistances(0);

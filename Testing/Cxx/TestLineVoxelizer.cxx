@@ -217,6 +217,7 @@ std::vector<unsigned char> Evaluate(vtkAlgorithmOutput* port)
   vtkNew<vtkAnisotropicVoxelEvaluator> evaluator;
   evaluator->SetInputConnection(port);
   evaluator->SetCamera(camera);
+  evaluator->SetOutputScalarType(VTK_UNSIGNED_CHAR);
   evaluator->Update();
   vtkImageData* image = evaluator->GetOutput();
   const auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
