@@ -119,6 +119,7 @@ set(rendering_sources
   ShadowTerm
   SweepGrid
   SweepProgram
+  SweepSources
   SweepTarget
   SweepViews
   TermTexture

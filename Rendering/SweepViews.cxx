@@ -4,6 +4,7 @@
 #include "SweepViews.h"
 
 #include "SceneNeeds.h"
+#include "SweepSources.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -157,19 +158,7 @@ vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgra
   vtkMatrix4x4::Multiply4x4(dataToWorld->GetData(), textureToData, volume.TextureToWorld);
   std::copy(dataToWorld->GetData(), dataToWorld->GetData() + 16, volume.DataToWorld);
   volume.StepLength = scene.Mapper->GetFrameSampleDistance(scene.Volume);
-  std::vector<vtkObject*> sources = { scene.Mapper->GetDataSetInput(), scene.Mapper->GetMaskInput(),
-    scene.Volume->GetProperty(), scene.Optics };
-  if (HasLineVoxels(scene))
-  {
-    // the mapper's scales, and the view that the voxels are evaluated for
-    sources.insert(sources.end(),
-      { scene.Mapper, scene.Mapper->GetLineOpacityFunction(), scene.Mapper->GetLineBlock(),
-        scene.Renderer->GetActiveCamera() });
-  }
-  for (vtkObject* object : sources)
-  {
-    volume.Times.emplace_back(object, object ? object->GetMTime() : 0);
-  }
+  volume.Times = SweepSources(scene, ray);
   return volume;
 }
 

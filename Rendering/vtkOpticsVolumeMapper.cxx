@@ -338,6 +338,12 @@ vtkVisibilitySweep* vtkOpticsVolumeMapper::GetOcclusionSweep()
 }
 
 //------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetShadowSweepCount()
+{
+  return this->Terms->Shadows.GetSweepCount();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkOpticsVolumeMapper::GetActiveTerms()
 {
   return this->Terms->ActiveTerms;
