@@ -231,6 +231,10 @@ void ShadowTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 bool ShadowTerm::SweepAll(const OpticsScene& scene, const vtkVisibilitySweep::Volume& volume)
 {
+  if (IsSelection(scene))
+  {
+    return false;
+  }
   const std::string reason = FindUnsweepable(scene);
   if (!reason.empty())
   {

@@ -84,6 +84,12 @@ std::string FindUnsweepable(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
+bool IsSelection(const OpticsScene& scene)
+{
+  return scene.Renderer->GetSelector() != nullptr;
+}
+
+//------------------------------------------------------------------------------
 SweepGrid::View CameraView(const OpticsScene& scene)
 {
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
