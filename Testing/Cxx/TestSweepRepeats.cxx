@@ -213,6 +213,7 @@ void CheckChanges(Check& check, SweptScene& scene)
     pixels = CheckChange(check, scene, change);
   }
   check.Near("against sweeps anew", LargestDifference(pixels, SweptAnew(scene)), 0, 0);
+  check.Near("links", scene.Optics->GetOcclusionSweep()->GetProgramLinkCount(), 1, 0);
   for (const Change& change : Something)
   {
     pixels = CheckChange(check, scene, change);
