@@ -66,12 +66,8 @@ void AddSweepFeatures(const OpticsScene& scene, OpticsFeatures& features)
 //------------------------------------------------------------------------------
 std::string FindUnsweepable(const OpticsScene& scene)
 {
-  if (scene.Mapper->GetNumberOfBlocks() > 1)
-  {
-    return "a volume in several blocks has no place in front of which all of it is known; SetPartitions(1, "
-           "1, 1).";
-  }
-  const int needed = (scene.Mapper->GetVisibilitySamples() + 3) / 4;
+  const int ofBlocks = scene.Mapper->GetNumberOfBlocks() > 1 ? 1 : 0;
+  const int needed = (scene.Mapper->GetVisibilitySamples() + 3) / 4 + ofBlocks;
   vtkTextureUnitManager* units = scene.Window->GetState()->GetTextureUnitManager();
   int free = 0;
   for (int unit = 0; unit < units->GetNumberOfTextureUnits(); ++unit)
@@ -158,6 +154,9 @@ vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgra
   vtkVisibilitySweep::Volume volume = {};
   volume.Window = scene.Window;
   volume.Ray = ray;
+  volume.IsInBlocks = scene.Mapper->GetNumberOfBlocks() > 1;
+  volume.FillsBlock = volume.IsInBlocks && scene.FillsBlocks;
+  volume.Block = scene.Block;
   vtkMatrix4x4* dataToWorld = scene.Volume->GetMatrix();
   double textureToData[16];
   scene.Mapper->GetTextureToData(textureToData);
