@@ -324,6 +324,7 @@ void Run(const Stage& stage, const Options& options)
       errors[i].Mean, errors[i].Bias, errors[i].Worst, 1000.0 * Median(turned[i]),
       Median(turned[i]) / Median(turned[0]), Median(relit[i]) / Median(relit[0]));
   }
+  std::fflush(stdout);
 }
 
 vtkSmartPointer<vtkImageData> Fill(int points, const std::function<double(const double*)>& density)

@@ -34,7 +34,7 @@ double Plain(const Field& field, const Vector& p)
 }
 
 // What is left where a point is not hidden.
-Extinction Except(std::function<bool(const Vector&)> isHidden)
+Extinction Except(const std::function<bool(const Vector&)>& isHidden)
 {
   return [=](const Field& field, const Vector& p) { return isHidden(p) ? 0.0 : Plain(field, p); };
 }
