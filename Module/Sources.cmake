@@ -120,6 +120,7 @@ set(rendering_sources
   ShadowTerm
   SweepGrid
   SweepProgram
+  SweepSources
   SweepTarget
   SweepViews
   TermTexture

@@ -18,6 +18,10 @@ using Vector = glm::dvec3;
 // Beyond 60 degrees from the axis froxels grow too long.
 const double WidestPlace = std::tan(vtkMath::RadiansFromDegrees(60.0));
 
+// So many times the box's size away, rays to a lamp are parallel to a thousandth of it, and single precision would no
+// longer tell its slices apart.
+const double FarthestDistance = 2000.0;
+
 // A part of the box's size that is too near to a light to cast shadows.
 const double NearestPart = 1.0e-3;
 
@@ -139,6 +143,10 @@ std::vector<SweepGrid::View> ViewsOfLight(vtkLight* light, const double corners[
   if (!light->GetPositional())
   {
     return { ParallelView(box, axis) };
+  }
+  if (glm::length(box.Center - position) > FarthestDistance * box.Radius)
+  {
+    return { ParallelView(box, UnitOrZ(box.Center - position)) };
   }
   SweepGrid::View view = PerspectiveView(box, position, UnitOrZ(box.Center - position), 1.0);
   const double farthest = FarthestPlace(box, view);

@@ -105,6 +105,10 @@ void OcclusionTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* progr
 bool OcclusionTerm::Sweep(
   const OpticsScene& scene, const vtkVisibilitySweep::Volume& volume, const SweepGrid& grid)
 {
+  if (IsSelection(scene))
+  {
+    return false;
+  }
   const std::string reason = FindUnsweepable(scene);
   if (!reason.empty())
   {

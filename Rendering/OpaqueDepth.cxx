@@ -10,6 +10,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
@@ -104,7 +105,9 @@ OpaqueDepth::Props OpaqueDepth::OpaqueProps(vtkRenderer* renderer)
   all->InitTraversal(iterator);
   while (vtkProp* prop = all->GetNextProp(iterator))
   {
-    if (prop->GetVisibility() && prop->GetBounds() && prop->HasOpaqueGeometry())
+    // a volume says that it has opaque geometry, and draws none
+    const bool isVolume = vtkVolume::SafeDownCast(prop) != nullptr;
+    if (prop->GetVisibility() && !isVolume && prop->GetBounds() && prop->HasOpaqueGeometry())
     {
       props.push_back(prop);
     }

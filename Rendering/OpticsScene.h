@@ -22,6 +22,8 @@ struct OpticsScene
   vtkDataArray* Scalars;
   bool CellScalars;
   int OpacityComponent; // the component of Scalars that opacity depends on
+  bool FillsBlocks;     // nothing is drawn: each block of a volume in partitions is looked at, for sweeps
+  int Block;            // of those that VTK draws one after the other
 };
 
 /**

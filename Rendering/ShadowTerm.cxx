@@ -231,6 +231,10 @@ void ShadowTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* program)
 //------------------------------------------------------------------------------
 bool ShadowTerm::SweepAll(const OpticsScene& scene, const vtkVisibilitySweep::Volume& volume)
 {
+  if (IsSelection(scene))
+  {
+    return false;
+  }
   const std::string reason = FindUnsweepable(scene);
   if (!reason.empty())
   {
@@ -263,8 +267,8 @@ bool ShadowTerm::Sweep(const OpticsScene& scene, vtkVisibilitySweep::Volume volu
   }
   vtkVisibilitySweep* sweep = this->Sweeps[view];
   const double angle = scene.Optics->GetShadowAngle();
-  SetSweepKnobs(scene, sweep);
-  sweep->SetAlgorithmToDirectionSweep(); // a disk's weights are about the slices' normal
+  // always the sweep of directions: a disk's weights are about the slices' normal
+  sweep->SetPrecision(scene.Mapper->GetVisibilityPrecision());
   sweep->SetConeAngle(angle);
   sweep->SetNumberOfDirections(angle > 0.0 ? scene.Mapper->GetVisibilitySamples() : 1);
   sweep->SetViewerDistance(this->Views[view].LightDistance);
@@ -361,4 +365,15 @@ std::size_t ShadowTerm::GetMemorySize() const
     size += sweep->GetMemorySize();
   }
   return size;
+}
+
+//------------------------------------------------------------------------------
+int ShadowTerm::GetSweepCount() const
+{
+  int count = 0;
+  for (const auto& sweep : this->Sweeps)
+  {
+    count += sweep->GetSweepCount();
+  }
+  return count;
 }

@@ -36,6 +36,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   std::size_t GetMemorySize() const override;
 
+  /** Sweeps of all lights' views that there are. */
+  int GetSweepCount() const;
+
 private:
   struct LightView
   {

@@ -5,6 +5,7 @@
 
 #include "SweepDirections.h"
 #include "SweepDisk.h"
+#include "SweepFill.h"
 #include "SweepMain.h"
 #include "SweepVertex.h"
 
@@ -113,8 +114,10 @@ std::string SweepFragmentShader(const std::string& ray, const SweepProgram::Kind
   text.insert(behindVersion,
     "#define OPTICS_SWEEP\n#define OPTICS_SWEEP_DIRECTIONS " + std::to_string(kind.Directions) + "\n" +
       (kind.IsToViewer ? "#define OPTICS_SWEEP_TO_VIEWER\n" : "") +
-      (kind.HasGeometry ? "#define OPTICS_SWEEP_GEOMETRY\n" : ""));
-  return text + (kind.IsDisk ? SweepDisk : SweepDirections) + SweepMain;
+      (kind.HasGeometry ? "#define OPTICS_SWEEP_GEOMETRY\n" : "") +
+      (kind.IsOfBlocks ? "#define OPTICS_SWEEP_OF_BLOCKS\n" : ""));
+  const char* sweep = kind.IsDisk ? SweepDisk : SweepDirections;
+  return text + (kind.FillsBlock ? SweepFill : sweep) + SweepMain;
 }
 
 //------------------------------------------------------------------------------

@@ -25,11 +25,14 @@ public:
     bool IsDisk;      // [Schott2009]'s recursion
     bool IsToViewer;  // directions meet at the viewer
     bool HasGeometry; // opaque, beside the volume
+    bool FillsBlock;  // finds the opacity of froxels in one block of the volume
+    bool IsOfBlocks;  // takes what was found in all blocks
 
     bool operator==(const Kind& other) const
     {
       return this->Directions == other.Directions && this->IsDisk == other.IsDisk &&
-        this->IsToViewer == other.IsToViewer && this->HasGeometry == other.HasGeometry;
+        this->IsToViewer == other.IsToViewer && this->HasGeometry == other.HasGeometry &&
+        this->FillsBlock == other.FillsBlock && this->IsOfBlocks == other.IsOfBlocks;
     }
   };
 

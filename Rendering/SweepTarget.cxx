@@ -133,7 +133,8 @@ void SweepTarget::Attach(int slice, Textures& written)
 void SweepTarget::FillWithLight(Textures& textures)
 {
   this->Attach(0, textures);
-  for (int i = 0; i <= this->Current.GetNumberOfTextures(); ++i)
+  // but not the slice that is attached first: it may have been filled before
+  for (int i = 1; i <= this->Current.GetNumberOfTextures(); ++i)
   {
     glClearBufferfv(GL_COLOR, i, Light);
   }

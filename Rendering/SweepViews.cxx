@@ -4,6 +4,7 @@
 #include "SweepViews.h"
 
 #include "SceneNeeds.h"
+#include "SweepSources.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
@@ -65,12 +66,8 @@ void AddSweepFeatures(const OpticsScene& scene, OpticsFeatures& features)
 //------------------------------------------------------------------------------
 std::string FindUnsweepable(const OpticsScene& scene)
 {
-  if (scene.Mapper->GetNumberOfBlocks() > 1)
-  {
-    return "a volume in several blocks has no place in front of which all of it is known; SetPartitions(1, "
-           "1, 1).";
-  }
-  const int needed = (scene.Mapper->GetVisibilitySamples() + 3) / 4;
+  const int ofBlocks = scene.Mapper->GetNumberOfBlocks() > 1 ? 1 : 0;
+  const int needed = (scene.Mapper->GetVisibilitySamples() + 3) / 4 + ofBlocks;
   vtkTextureUnitManager* units = scene.Window->GetState()->GetTextureUnitManager();
   int free = 0;
   for (int unit = 0; unit < units->GetNumberOfTextureUnits(); ++unit)
@@ -80,6 +77,12 @@ std::string FindUnsweepable(const OpticsScene& scene)
   return free >= needed ? std::string()
                         : "it needs " + std::to_string(needed) + " texture units, of which " +
       std::to_string(free) + " are left; lower SetVisibilitySamples().";
+}
+
+//------------------------------------------------------------------------------
+bool IsSelection(const OpticsScene& scene)
+{
+  return scene.Renderer->GetSelector() != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -151,25 +154,16 @@ vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgra
   vtkVisibilitySweep::Volume volume = {};
   volume.Window = scene.Window;
   volume.Ray = ray;
+  volume.IsInBlocks = scene.Mapper->GetNumberOfBlocks() > 1;
+  volume.FillsBlock = volume.IsInBlocks && scene.FillsBlocks;
+  volume.Block = scene.Block;
   vtkMatrix4x4* dataToWorld = scene.Volume->GetMatrix();
   double textureToData[16];
   scene.Mapper->GetTextureToData(textureToData);
   vtkMatrix4x4::Multiply4x4(dataToWorld->GetData(), textureToData, volume.TextureToWorld);
   std::copy(dataToWorld->GetData(), dataToWorld->GetData() + 16, volume.DataToWorld);
   volume.StepLength = scene.Mapper->GetFrameSampleDistance(scene.Volume);
-  std::vector<vtkObject*> sources = { scene.Mapper->GetDataSetInput(), scene.Mapper->GetMaskInput(),
-    scene.Volume->GetProperty(), scene.Optics };
-  if (HasLineVoxels(scene))
-  {
-    // the mapper's scales, and the view that the voxels are evaluated for
-    sources.insert(sources.end(),
-      { scene.Mapper, scene.Mapper->GetLineOpacityFunction(), scene.Mapper->GetLineBlock(),
-        scene.Renderer->GetActiveCamera() });
-  }
-  for (vtkObject* object : sources)
-  {
-    volume.Times.emplace_back(object, object ? object->GetMTime() : 0);
-  }
+  volume.Times = SweepSources(scene, ray);
   return volume;
 }
 

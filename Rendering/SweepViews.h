@@ -19,6 +19,9 @@ void AddSweepFeatures(const OpticsScene& scene, OpticsFeatures& features);
 /** Why a volume that VTK is about to draw can't be swept, in a sentence with a remedy; empty where it can. */
 std::string FindUnsweepable(const OpticsScene& scene);
 
+/** Whether what is drawn is a selection, which no light is seen in. */
+bool IsSelection(const OpticsScene& scene);
+
 /** What the renderer's camera sees. */
 SweepGrid::View CameraView(const OpticsScene& scene);
 

@@ -119,5 +119,6 @@ void vtkOpticsShaderPass::BeforeDraw()
     {
       term->BeforeDraw(this->Scene, this->Program);
     }
+    ++this->Scene.Block;
   }
 }

@@ -16,6 +16,7 @@
 #include "ReflectanceTerm.h"
 #include "SceneNeeds.h"
 #include "ShadowTerm.h"
+#include "SweepViews.h"
 #include "TransferFunctionTerm.h"
 #include "vtkAmbientCovarianceFilter.h"
 #include "vtkOpticsShaderPass.h"
@@ -28,15 +29,18 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeInputHelper.h"
 #include "vtkVolumeTexture.h"
 #include "vtkWeakPointer.h"
+#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -52,6 +56,9 @@ class vtkOpticsVolumeMapper::Implementation
 public:
   std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
   void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
+  bool Sweeps(const OpticsScene& scene, const std::vector<OpticsTerm*>& active);
+  void FillBlocks(
+    OpticsScene scene, const std::vector<OpticsTerm*>& active, const std::function<void()>& draw);
 
   // In the order of preparation: first what others build on.
   FrameTerm Frames;
@@ -121,6 +128,31 @@ void vtkOpticsVolumeMapper::Implementation::LeaveOtherWindow(
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsVolumeMapper::Implementation::Sweeps(
+  const OpticsScene& scene, const std::vector<OpticsTerm*>& active)
+{
+  const bool hasShadows = std::find(active.begin(), active.end(), &this->Shadows) != active.end();
+  return (hasShadows || HasOcclusion(scene)) && !IsSelection(scene);
+}
+
+//------------------------------------------------------------------------------
+// VTK has one block of a volume in partitions in its texture at a time, and a sweep needs all of them. So VTK draws all
+// of them once where no pixel is.
+void vtkOpticsVolumeMapper::Implementation::FillBlocks(
+  OpticsScene scene, const std::vector<OpticsTerm*>& active, const std::function<void()>& draw)
+{
+  vtkOpenGLState* state = scene.Window->GetState();
+  const vtkOpenGLState::ScopedglScissor scissor(state);
+  const vtkOpenGLState::ScopedglEnableDisable test(state, GL_SCISSOR_TEST);
+  state->SetEnumState(GL_SCISSOR_TEST, true);
+  state->vtkglScissor(0, 0, 0, 0);
+  scene.FillsBlocks = true;
+  this->Pass->Attach(scene, active);
+  draw();
+  this->Pass->Detach();
+}
+
+//------------------------------------------------------------------------------
 vtkOpticsVolumeMapper::vtkOpticsVolumeMapper()
   : Terms(new Implementation)
 {
@@ -153,6 +185,13 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->Superclass::GPURender(renderer, volume);
     return;
+  }
+  // before the first frame it is not known whether there are any
+  const bool mayHaveBlocks = this->AssembledInputs.count(0) == 0 || this->HasPartitions();
+  if (!hasLines && mayHaveBlocks && this->Terms->Sweeps(scene, active))
+  {
+    this->Terms->FillBlocks(
+      scene, active, [this, renderer, volume]() { this->Superclass::GPURender(renderer, volume); });
   }
   this->Terms->Pass->Attach(scene, active);
   if (hasLines)
@@ -335,6 +374,12 @@ vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter(
 vtkVisibilitySweep* vtkOpticsVolumeMapper::GetOcclusionSweep()
 {
   return this->Terms->Occlusion.GetSweep();
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetShadowSweepCount()
+{
+  return this->Terms->Shadows.GetSweepCount();
 }
 
 //------------------------------------------------------------------------------

@@ -373,6 +373,12 @@ public:
    */
   vtkVisibilitySweep* GetOcclusionSweep();
 
+  /**
+   * Sweeps from the lights that cast Shadows now: one for each view of a light (six of one in the volume), and
+   * again when something has changed that the shadow depends on. For inspection and tests.
+   */
+  int GetShadowSweepCount();
+
   /** Names of the terms in the last frame, separated by commas; empty: VTK's own picture. */
   std::string GetActiveTerms();
 

@@ -57,18 +57,49 @@ public:
     std::vector<char> Values;
     SweepGrid Grid;
     std::vector<std::pair<const void*, vtkMTimeType>> Times;
+    vtkMTimeType Opacity;
 
     bool operator==(const Stamp& other) const
     {
       return this->Knobs == other.Knobs && this->Target == other.Target && this->Values == other.Values &&
-        this->Grid == other.Grid && this->Times == other.Times;
+        this->Grid == other.Grid && this->Times == other.Times && this->Opacity == other.Opacity;
     }
   };
+
+  void DrawSlices(const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program);
 
   SweepProgram Program;
   SweepTarget Target;
   Stamp Last = {};
+  // of a volume in blocks: the opacity of all froxels
+  SweepProgram BlockProgram;
+  SweepTarget Opacity;
+  vtkTimeStamp OpacityTime;
 };
+
+//------------------------------------------------------------------------------
+void vtkVisibilitySweep::Implementation::DrawSlices(
+  const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program)
+{
+  target.Begin();
+  for (int slice = 0; slice < grid.GetSize()[2]; ++slice)
+  {
+    const double depth = grid.GetDepth(slice);
+    const double before = slice > 0 ? grid.GetDepth(slice - 1) : depth;
+    const double reach = 0.5 * grid.GetSliceDistance();
+    const double depths[3] = { depth, depth - reach, depth + reach };
+    const double widths[3] = { grid.GetWidth(depths[0]), grid.GetWidth(depths[1]), grid.GetWidth(depths[2]) };
+    program->SetUniformi("in_sweepSlice", slice);
+    program->SetUniform3f("in_sweepDepths", depths);
+    program->SetUniform3f("in_sweepWidths", widths);
+    // what is in front of the grid hides all of it
+    program->SetUniformf("in_sweepGeometryFront", slice > 0 ? static_cast<float>(depths[1]) : -VTK_FLOAT_MAX);
+    program->SetUniformf("in_sweepWidth", static_cast<float>(grid.GetWidth(depth)));
+    program->SetUniformf("in_sweepOtherWidth", static_cast<float>(grid.GetWidth(before)));
+    target.DrawSlice(slice, program);
+  }
+  target.End();
+}
 
 //------------------------------------------------------------------------------
 vtkVisibilitySweep::vtkVisibilitySweep()
@@ -146,8 +177,13 @@ bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
   {
     return false;
   }
+  if (volume.FillsBlock)
+  {
+    return this->FillBlock(volume, grid);
+  }
   const SweepProgram::Kind kind = { this->GetNumberOfChannels(), this->Algorithm != DirectionSweep,
-    grid.GetIsPerspective() && this->ViewerDistance > 0.0, volume.Geometry != nullptr };
+    grid.GetIsPerspective() && this->ViewerDistance > 0.0, volume.Geometry != nullptr, false,
+    volume.IsInBlocks };
   vtkShaderProgram* program = this->Internals->Program.Use(volume.Window, volume.Ray, kind);
   if (program)
   {
@@ -158,10 +194,31 @@ bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
 }
 
 //------------------------------------------------------------------------------
+bool vtkVisibilitySweep::FillBlock(const Volume& volume, const SweepGrid& grid)
+{
+  SweepTarget& opacity = this->Internals->Opacity;
+  const SweepTarget::Format format = { { this->GridSize[0], this->GridSize[1], this->GridSize[2] }, 1, 32 };
+  const SweepProgram::Kind kind = { 1, false, false, false, true, false };
+  vtkShaderProgram* program = opacity.Allocate(volume.Window, format)
+    ? this->Internals->BlockProgram.Use(volume.Window, volume.Ray, kind)
+    : nullptr;
+  if (program)
+  {
+    this->SetUniforms(volume, grid, program);
+    program->SetUniformi("in_sweepBlock", volume.Block);
+    this->Internals->DrawSlices(grid, opacity, program);
+    this->Internals->OpacityTime.Modified();
+  }
+  volume.Window->GetShaderCache()->ReadyShaderProgram(volume.Ray);
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
 void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program)
 {
   const Implementation::Stamp stamp = { this->GetMTime(), this->Internals->Target.GetTime(),
-    this->Internals->Program.GetValues(), grid, volume.Times };
+    this->Internals->Program.GetValues(), grid, volume.Times,
+    volume.IsInBlocks ? this->Internals->OpacityTime.GetMTime() : 0 };
   if (stamp == this->Internals->Last)
   {
     return;
@@ -169,9 +226,13 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
   this->Internals->Last = stamp;
   this->SetUniforms(volume, grid, program);
   this->SetGeometry(volume, grid, program);
-  this->Internals->Target.Begin();
-  this->DrawSlices(grid, program);
-  this->Internals->Target.End();
+  TermTexture& opacity = this->Internals->Opacity.GetVisibility();
+  if (volume.IsInBlocks)
+  {
+    opacity.Bind("in_sweepOpacity", program);
+  }
+  this->Internals->DrawSlices(grid, this->Internals->Target, program);
+  opacity.Unbind();
   if (volume.Geometry)
   {
     volume.Geometry->Deactivate();
@@ -275,26 +336,6 @@ void vtkVisibilitySweep::SetDisk(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-void vtkVisibilitySweep::DrawSlices(const SweepGrid& grid, vtkShaderProgram* program)
-{
-  for (int slice = 0; slice < grid.GetSize()[2]; ++slice)
-  {
-    const double depth = grid.GetDepth(slice);
-    const double before = slice > 0 ? grid.GetDepth(slice - 1) : depth;
-    const double reach = 0.5 * grid.GetSliceDistance();
-    const double depths[3] = { depth, depth - reach, depth + reach };
-    const double widths[3] = { grid.GetWidth(depths[0]), grid.GetWidth(depths[1]), grid.GetWidth(depths[2]) };
-    program->SetUniform3f("in_sweepDepths", depths);
-    program->SetUniform3f("in_sweepWidths", widths);
-    // what is in front of the grid hides all of it
-    program->SetUniformf("in_sweepGeometryFront", slice > 0 ? static_cast<float>(depths[1]) : -VTK_FLOAT_MAX);
-    program->SetUniformf("in_sweepWidth", static_cast<float>(grid.GetWidth(depth)));
-    program->SetUniformf("in_sweepOtherWidth", static_cast<float>(grid.GetWidth(before)));
-    this->Internals->Target.DrawSlice(slice, program);
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkTextureObject* vtkVisibilitySweep::GetTexture()
 {
   TermTexture& texture = this->Internals->Target.GetVisibility();
@@ -316,7 +357,7 @@ std::string vtkVisibilitySweep::GetFragmentShader()
 //------------------------------------------------------------------------------
 std::size_t vtkVisibilitySweep::GetMemorySize() const
 {
-  return this->Internals->Target.GetMemorySize();
+  return this->Internals->Target.GetMemorySize() + this->Internals->Opacity.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +365,8 @@ void vtkVisibilitySweep::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internals->Program.Release();
   this->Internals->Target.Release(window);
+  this->Internals->BlockProgram.Release();
+  this->Internals->Opacity.Release(window);
 }
 
 //------------------------------------------------------------------------------

@@ -136,10 +136,13 @@ public:
   struct Volume
   {
     vtkOpenGLRenderWindow* Window;
-    vtkShaderProgram* Ray;      // that is about to draw the volume, its uniforms set, its textures bound
-    double TextureToWorld[16];  // of VTK's texture coordinates, row by row
-    double DataToWorld[16];     // of the coordinates in which VTK measures steps
-    double StepLength;          // of the ray, in those
+    vtkShaderProgram* Ray;     // that is about to draw the volume, its uniforms set, its textures bound
+    double TextureToWorld[16]; // of VTK's texture coordinates, row by row
+    double DataToWorld[16];    // of the coordinates in which VTK measures steps
+    double StepLength;         // of the ray, in those
+    bool IsInBlocks;           // of which one is loaded at a time: each is filled, then all are swept
+    bool FillsBlock;
+    int Block;                  // how many were filled before it in this frame
     vtkTextureObject* Geometry; // depth of opaque geometry, over the window of the grid; null: none
     double GeometryRange[2];    // z in view coordinates of depths 0 and 1
     std::vector<std::pair<const void*, vtkMTimeType>> Times; // of what the textures are made of
@@ -170,7 +173,7 @@ private:
   void SetDirections(const double viewToData[16], double axis, vtkShaderProgram* program);
   void SetGeometry(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
   void SetDisk(vtkShaderProgram* program);
-  void DrawSlices(const SweepGrid& grid, vtkShaderProgram* program);
+  bool FillBlock(const Volume& volume, const SweepGrid& grid);
 
   double ConeAngle = 60.0;
   int Algorithm = DirectionSweep;

@@ -15,6 +15,15 @@ vec4 opticsPosition(vec2 place, int depth)
   return vec4(place * in_sweepWidths[depth], in_sweepDepths[depth], 1.0);
 }
 
+#ifdef OPTICS_SWEEP_OF_BLOCKS
+uniform sampler3D in_sweepOpacity; // of the froxels of all slices, as SweepFill found it
+uniform int in_sweepSlice;
+
+float opticsFroxelOpacity(vec2 place)
+{
+  return texelFetch(in_sweepOpacity, ivec3(ivec2(gl_FragCoord.xy), in_sweepSlice), 0).r;
+}
+#else
 // By the one step of castRay() that SweepRay* leaves.
 float opticsFroxelOpacity(vec2 place)
 {
@@ -27,6 +36,7 @@ float opticsFroxelOpacity(vec2 place)
   bool isSeen = isInside && !opticsIsClipped((in_sweepToWorld * position).xyz);
   return isSeen ? clamp(castRay(-1.0, -1.0).a, 0.0, 1.0) : 0.0;
 }
+#endif
 
 #ifdef OPTICS_SWEEP_GEOMETRY
 uniform sampler2D in_sweepGeometry;   // depth of the opaque geometry that is nearest to the viewer

@@ -166,7 +166,7 @@ void CheckSlices(Check& check)
   OcclusionScene scene([](double, double, double) { return Dense; }, 0.0, 9);
   scene.Opacity->RemoveAllPoints();
   scene.Opacity->AddPoint(0.0, 1.0 - std::exp(-0.02));
-  scene.Optics->SetVisibilityGridSize(128);
+  scene.Optics->SetVisibilityGridSize(64);
   scene.Optics->SetVisibilitySliceDistance(0.1);
   scene.Property->SetOcclusionAngle(30.0);
   scene.Renderer->GetActiveCamera()->SetParallelScale(0.1);

@@ -65,6 +65,8 @@ void CheckHiding(Check& check)
     const std::string name = hiding.Name;
     OcclusionScene open(Floor, 0.3);
     OcclusionScene scene(Pane, 0.3);
+    open.Optics->SetVisibilityGridSize(64);
+    scene.Optics->SetVisibilityGridSize(64);
     check.AtMost(name + ": behind the pane", scene.Visibility(), 0.3 * open.Visibility());
     hiding.Hide(open);
     hiding.Hide(scene);
@@ -80,6 +82,8 @@ void CheckClassifications(Check& check)
   const auto share = [](const std::function<void(OcclusionScene&)>& apply) {
     OcclusionScene open(Floor);
     OcclusionScene scene(Pane, 0.1);
+    open.Optics->SetVisibilityGridSize(64);
+    scene.Optics->SetVisibilityGridSize(64);
     apply(open);
     apply(scene);
     return scene.Visibility() / open.Visibility();
@@ -140,7 +144,7 @@ void CheckIsosurfaces(Check& check)
   }
 }
 
-// A scene of each kind grows darker, and nowhere brighter; in blocks it says why it does not.
+// A scene of each kind grows darker, and nowhere brighter.
 void CheckKinds(Check& check)
 {
   for (const Row& row : Rows)
@@ -162,44 +166,14 @@ void CheckKinds(Check& check)
       brighter = std::max(brighter, int(darker[i]) - int(open[i]));
       dark = std::max(dark, int(open[i]) - int(darker[i]));
     }
-    const bool isLeftOut = name == "partitions";
     check.AtMost(name + ": brighter", brighter, 1);
-    check.That(isLeftOut ? dark <= 1 : dark > 20, name + ": is darker by " + std::to_string(dark));
-    check.That(warnings.Texts.size() == (isLeftOut ? 1 : 0), name + ": warnings");
+    check.That(dark > 20, name + ": is darker by " + std::to_string(dark));
+    check.That(warnings.Texts.empty(), name + ": warnings");
     for (const std::string& text : warnings.Texts)
     {
       std::cout << text << std::endl;
     }
   }
-}
-
-// What was swept is not swept again while nothing that is seen changes; the program is linked once.
-void CheckRepeats(Check& check)
-{
-  TestScene scene;
-  scene.Window->SetSize(40, 40);
-  scene.Property->OcclusionOn();
-  vtkVisibilitySweep* sweep = scene.Optics->GetOcclusionSweep();
-  const std::vector<unsigned char> first = scene.Render();
-  check.Near("sweeps of the first frame", sweep->GetSweepCount(), 1, 0);
-  check.Near("another frame", LargestDifference(scene.Render(), first), 0, 0);
-  check.Near("sweeps of another frame", sweep->GetSweepCount(), 1, 0);
-  const std::pair<const char*, std::function<void()>> changes[] = {
-    { "the camera", [&]() { scene.Renderer->GetActiveCamera()->Azimuth(5.0); } },
-    { "the opacity", [&]() { scene.Opacity->AddPoint(0.6, 0.5); } },
-    { "the angle", [&]() { scene.Property->SetOcclusionAngle(40.0); } },
-    { "the data", [&]() { scene.Source->SetDimensions(30, 30, 30); } },
-    { "the grid", [&]() { scene.Optics->SetVisibilityGridSize(50); } },
-    { "the volume's place", [&]() { scene.Volume->AddPosition(0.1, 0.0, 0.0); } },
-  };
-  int sweeps = 1;
-  for (const auto& change : changes)
-  {
-    change.second();
-    scene.Render();
-    check.Near(std::string("sweeps after a change of ") + change.first, sweep->GetSweepCount(), ++sweeps, 0);
-  }
-  check.Near("links", sweep->GetProgramLinkCount(), 1, 0);
 }
 
 // Switched off it leaves nothing behind.
@@ -227,7 +201,6 @@ int TestOcclusionSettings(int, char*[])
   CheckClassifications(check);
   CheckIsosurfaces(check);
   CheckKinds(check);
-  CheckRepeats(check);
   CheckOff(check);
   return check.ExitCode();
 }

@@ -15,7 +15,7 @@ using namespace reference;
 
 namespace
 {
-const int Size = 40;
+const int Size = 28;
 
 struct Setting
 {
