@@ -104,9 +104,11 @@ set(rendering_sources
   OpticsIsosurfaces
   OpticsMapperKnobs
   OpticsScene
+  OpticsShaderInsertion
   OpticsShaderTable
   OpticsVisibility
   PairCounts
+  PieceTerm
   PreIntegratedTexture
   PreIntegration
   ProjectedTetrahedraPainter
@@ -117,6 +119,7 @@ set(rendering_sources
   SceneNeeds
   ShadowAtlas
   ShadowTerm
+  StandaloneShaders
   SweepGrid
   SweepProgram
   SweepTarget

@@ -102,6 +102,8 @@ enum class OpticsFeature
   LineAmbient,
   LineAmbientNone,
   LineShadows,
+  Piece,          // of a larger volume
+  PieceOfSamples, // without an integral
   Count
 };
 
@@ -134,22 +136,5 @@ bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features
  * Replaces statements of VTK's own text, after VTK has written it. Returns false as above.
  */
 bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
-
-/**
- * The shaders that evaluate anisotropic voxels of an order and a number of line types.
- */
-std::string LineEvaluationVertexShader(int order, int types);
-std::string LineEvaluationFragmentShader();
-
-/**
- * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.
- */
-std::string ProjectedTetrahedraVertexShader();
-std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces);
-
-/**
- * The same with another text that defines FragmentColor(), as ProjectedTetrahedraInterior.glsl does.
- */
-std::string ProjectedTetrahedraFragmentShader(const std::string& color);
 
 #endif

@@ -119,6 +119,11 @@ protected:
   vtkOpticsVolumeRepresentation();
   ~vtkOpticsVolumeRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void UpdateMapperParameters() override;
 
 private:
@@ -132,6 +137,7 @@ private:
 
   struct Lighting;
   std::unique_ptr<Lighting> Light;
+  int GhostLayers = 1; // that a piece is asked for
 };
 
 #endif
