@@ -284,7 +284,10 @@ int vtkOpticsVolumeMapper::GetGhostLayers(vtkVolumeProperty* property)
       : this->GetAmbientCovarianceFilter();
     layers = std::max(layers, frames->GetGhostLayers(this->FrameResolutionFactor));
   }
-  return std::max(layers, this->GetSobelNormalFilter()->GetGhostLayers(this->FrameResolutionFactor));
+  layers = std::max(layers, this->GetSobelNormalFilter()->GetGhostLayers(this->FrameResolutionFactor));
+  const bool hasSegments = optics->GetIntegrationSpace() == vtkOpticsVolumeProperty::Data ||
+    optics->GetClassification() == vtkOpticsVolumeProperty::PreIntegrated;
+  return hasSegments ? layers + 1 : layers; // a segment may begin a step before the piece
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,8 @@ std::string NumbersText(const OpticsFeatures& features)
 // Our own places are in our text; those that no term fills leave nothing behind.
 void FillOwnPlaces(std::string& fragment, const OpticsFeatures& features)
 {
-  for (const Place* place : { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace, &LinesPlace })
+  for (const Place* place :
+    { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace, &EndPlace, &LinesPlace })
   {
     vtkShaderProgram::Substitute(fragment, place->Tag, OpticsText(*place, features), false);
   }
@@ -89,21 +90,36 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
 }
 
 //------------------------------------------------------------------------------
-bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features)
+std::string InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features)
 {
-  bool found = InsertLighting(fragment, features);
-  for (const Place* place : { &BaseDec, &BaseInit, &TerminateInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &BaseImpl, &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
+  std::string text = fragment;
+  if (!InsertLighting(text, features))
   {
-    found &= Insert(fragment, *place, OpticsText(*place, features));
+    return ComputeLightingDec.Tag;
   }
-  FillOwnPlaces(fragment, features);
-  return found;
+  for (const Place* place : { &BaseDec, &BaseInit, &TerminateInit, &ComputeRayDirectionDec, &ClippingImpl,
+         &ShadingInit, &BaseImpl, &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
+  {
+    if (!Insert(text, *place, OpticsText(*place, features)))
+    {
+      return place->Tag;
+    }
+  }
+  FillOwnPlaces(text, features);
+  fragment = text;
+  return std::string();
 }
 
 //------------------------------------------------------------------------------
-bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
+std::string ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
 {
-  const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
-  return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
+  if (features.Has(OpticsFeature::Reflectance) && !ReplaceAny(fragment, LightingCalls))
+  {
+    return LightingCalls[1].Text;
+  }
+  if (features.Has(OpticsFeature::MultiSample) && !ReplaceAny(fragment, ClassificationCalls))
+  {
+    return ClassificationCalls[0].Text;
+  }
+  return std::string();
 }

@@ -28,11 +28,12 @@ inline constexpr Place ShadingImpl = { "//VTK::Shading::Impl", false };
 inline constexpr Place DepthPassImpl = { "//VTK::DepthPass::Impl", true };
 inline constexpr Place TerminateImpl = { "//VTK::Terminate::Impl", false };
 inline constexpr Place AfterTerminateImpl = { "//VTK::Terminate::Impl", true };
-// Our own, in Lighting.glsl and LineShadingImpl.glsl.
+// Our own, in Lighting.glsl, IntegralRay.glsl and LineShadingImpl.glsl.
 inline constexpr Place GradientPlace = { "//Optics::Gradient", false };
 inline constexpr Place SurfacePlace = { "//Optics::Surface", false };
 inline constexpr Place LightPlace = { "//Optics::Light", false };
 inline constexpr Place TransmissionPlace = { "//Optics::Transmission", false };
+inline constexpr Place EndPlace = { "//Optics::End", false };
 inline constexpr Place LinesPlace = { "//Optics::Lines", false };
 
 /** What the table has for a place and a set of features. */

@@ -76,8 +76,10 @@
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
 #include "PieceDec.h"
+#include "PieceEnd.h"
 #include "PieceInit.h"
 #include "PieceOfSamples.h"
+#include "PieceOfSegments.h"
 #include "PieceRay.h"
 #include "PieceTerminate.h"
 #include "OwnDepth.h"
@@ -164,6 +166,7 @@ const Row Table[] = {
 
   { F::Piece, &BaseInit, PieceInit },
   { F::PieceOfSamples, &BaseInit, PieceOfSamples },
+  { F::PieceOfSegments, &BaseInit, PieceOfSegments },
   { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
 
@@ -238,6 +241,7 @@ const Row Table[] = {
   { F::Transmitted, &TransmissionPlace, Transmitted },
 
   { F::Piece, &TerminateInit, PieceTerminate },
+  { F::PieceOfSegments, &EndPlace, PieceEnd },
   { F::Piece, &ComputeRayDirectionDec, PieceRay },
   { F::Integral, &ComputeRayDirectionDec, IntegralDec },
   { F::ColorTable, &ComputeRayDirectionDec, ColorTable },

@@ -5,16 +5,27 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
+#include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace
 {
 bool IsEmpty(const int extent[6])
 {
   return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
+}
+
+// As VTK, which begins the rays of a camera inside a volume that far behind the near plane.
+float FindNearest(vtkCamera* camera)
+{
+  const double* range = camera->GetClippingRange();
+  const double least = 1000.0 * std::numeric_limits<float>::epsilon();
+  return static_cast<float>(range[0] + std::max(0.001 * (range[1] - range[0]), least));
 }
 
 // A box of VTK's texture coordinates, of which a volume has some from its first point to its last.
@@ -68,11 +79,9 @@ bool PieceTerm::IsActive(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 void PieceTerm::AddFeatures(const OpticsScene&, OpticsFeatures& features)
 {
+  const bool hasSegments = features.Has(OpticsFeature::Integral);
   features.Add(OpticsFeature::Piece);
-  if (!features.Has(OpticsFeature::Integral))
-  {
-    features.Add(OpticsFeature::PieceOfSamples);
-  }
+  features.Add(hasSegments ? OpticsFeature::PieceOfSegments : OpticsFeature::PieceOfSamples);
 }
 
 //------------------------------------------------------------------------------
@@ -91,6 +100,9 @@ void PieceTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* program)
   const Box ofWhole = Place(IsEmpty(whole) ? drawn : whole, input, ofInput);
   program->SetUniform3f("in_opticsWholeMin", ofWhole.Least);
   program->SetUniform3f("in_opticsWholeMax", ofWhole.Greatest);
+  program->SetUniform3f("in_opticsInputMin", ofInput.Least);
+  program->SetUniform3f("in_opticsInputMax", ofInput.Greatest);
+  program->SetUniformf("in_opticsNearest", FindNearest(scene.Renderer->GetActiveCamera()));
   program->SetUniform3fv("in_texMin", 1, &ofDrawn.Least);
   program->SetUniform3fv("in_texMax", 1, &ofDrawn.Greatest);
 }

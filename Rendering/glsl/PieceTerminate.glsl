@@ -5,3 +5,4 @@
   // sample. VTK draws the sample behind the geometry, too.
   g_terminatePointMax = dot(g_terminatePos - g_dataPos, g_dirStep) / dot(g_dirStep, g_dirStep);
   g_exit = g_exit || g_terminatePointMax <= -1.0;
+  g_terminatePointMax = min(g_terminatePointMax, g_opticsPieceEnd);

@@ -101,9 +101,10 @@ void CopySaturated(IceTImage image, vtkSynchronizedRenderers::vtkRawImage& bytes
   }
   bytes.Resize(icetImageGetWidth(image), icetImageGetHeight(image), 4);
   const float* pixels = icetImageGetColorcf(image);
-  std::transform(pixels, pixels + 4 * icetImageGetNumPixels(image), bytes.GetRawPtr()->GetPointer(0),
-    [](float share)
-    { return static_cast<unsigned char>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F))); });
+  std::transform(
+    pixels, pixels + 4 * icetImageGetNumPixels(image), bytes.GetRawPtr()->GetPointer(0), [](float share) {
+      return static_cast<unsigned char>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+    });
   bytes.MarkValid();
 }
 
@@ -162,8 +163,7 @@ void FloatCompositingPass::Ask(vtkRenderer* renderer, vtkPVDataRepresentation* r
   {
     return;
   }
-  vtkSmartPointer<FloatCompositingPass> pass =
-    FloatCompositingPass::SafeDownCast(camera->GetDelegatePass());
+  vtkSmartPointer<FloatCompositingPass> pass = FloatCompositingPass::SafeDownCast(camera->GetDelegatePass());
   if (auto* bytes = vtkIceTCompositePass::SafeDownCast(camera->GetDelegatePass()))
   {
     pass = vtkSmartPointer<FloatCompositingPass>::New();

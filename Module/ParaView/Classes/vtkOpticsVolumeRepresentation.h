@@ -112,6 +112,12 @@ public:
   void SetVisibilityGridSize(int froxels);
   void SetVisibilitySamples(int directions);
   void SetVisibilityPrecision(int bits);
+  void SetVisibilityAlgorithm(int algorithm);
+  void SetVisibilityDiskSize(int size);
+  void SetVisibilityTrueDistances(bool on);
+  void SetVisibilitySliceDistance(double froxels);
+  void SetSkipEmptySpace(bool on);
+  void SetMacrocellSize(int voxels);
   void SetLinePrecision(int bits);
   ///@}
 
