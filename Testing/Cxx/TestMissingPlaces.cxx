@@ -35,8 +35,8 @@ void CheckMessage(Check& check, const std::string& messages, const std::string& 
   check.That(messages.find(version) != std::string::npos, missing + ": no version in: " + messages);
   check.That(messages.find('"' + missing) != std::string::npos, missing + " is not named in: " + messages);
   const std::size_t first = messages.find("ERROR");
-  check.That(
-    first != std::string::npos && messages.find("ERROR", first + 1) == std::string::npos, "not once: " + messages);
+  check.That(first != std::string::npos && messages.find("ERROR", first + 1) == std::string::npos,
+    "not once: " + messages);
 }
 
 void Replace(vtkVolume* volume, const char* tag, const char* text)

@@ -15,6 +15,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPVDataRepresentation.h"
+#include "vtkPVLogger.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
@@ -106,6 +107,14 @@ void CopySaturated(IceTImage image, vtkSynchronizedRenderers::vtkRawImage& bytes
       return static_cast<unsigned char>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
     });
   bytes.MarkValid();
+}
+
+// Beside what ParaView's own pass says of IceT.
+void LogBytes()
+{
+  IceTInt bytes = 0;
+  icetGetIntegerv(ICET_BYTES_SENT, &bytes);
+  vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "ICET_BYTES_SENT: %d", bytes);
 }
 
 // The one that ParaView draws a renderer with, below its image processing.
@@ -216,6 +225,7 @@ void FloatCompositingPass::Composite(const vtkRenderState* state)
   CopySaturated(DrawFrame(state->GetRenderer()), Inside::Result(this->Bytes));
   this->State = nullptr;
   Drawing = nullptr;
+  LogBytes();
   Inside::Show(this->Bytes, state);
 }
 

@@ -5,6 +5,7 @@
 
 #include "FloatCompositingPass.h"
 #include "PieceOfVolume.h"
+#include "PluginVersions.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkMultiSampleClassification.h"
 #include "vtkOpticsMultiBlockVolumeMapper.h"
@@ -160,6 +161,11 @@ void vtkOpticsVolumeRepresentation::UpdateMapperParameters()
 bool vtkOpticsVolumeRepresentation::AddToView(vtkView* view)
 {
   const bool isAdded = this->Superclass::AddToView(view);
+  const std::string otherVersion = FindOtherVersion();
+  if (!otherVersion.empty())
+  {
+    vtkWarningMacro(<< otherVersion);
+  }
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   if (isAdded && renderView)
   {
