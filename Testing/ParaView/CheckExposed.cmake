@@ -36,11 +36,22 @@ if (missing)
   message(FATAL_ERROR "not in VolumeRepresentation.xml: ${missing}")
 endif ()
 
-# What is declared is in a group of the panel.
-string(REGEX MATCHALL "Property name=\"[A-Za-z]+\" command=" declared "${panel}")
+# What is declared is in a group of the panel, and has a condition to be shown, but for what has an effect with every
+# setting, and for lines, which the panel does not know.
+set(always
+  Classification IntegrationSpace LineOpacityScale LinePrecision LineRadiusScale MultiSampleFile Occlusion OpticsQuality
+  SkipEmptySpace)
+string(REPLACE ";" "," declared "${panel}")
+string(FIND "${declared}" "<Extension" end)
+string(SUBSTRING "${declared}" 0 ${end} declared)
+string(REGEX REPLACE "<[A-Za-z]*Property name=\"([A-Za-z]+)\" command=" ";\\1 " declared "${declared}")
+list(REMOVE_AT declared 0)
 foreach (property IN LISTS declared)
-  string(REGEX REPLACE "^Property name=\"([A-Za-z]+)\".*" "\\1" name "${property}")
+  string(REGEX MATCH "^[A-Za-z]+" name "${property}")
   if (NOT panel MATCHES "<Property name=\"${name}\"")
-    message(FATAL_ERROR "${name} is in no group of the panel")
+    message(SEND_ERROR "${name} is in no group of the panel")
+  endif ()
+  if (NOT name IN_LIST always AND NOT property MATCHES "mode=\"visibility\"")
+    message(SEND_ERROR "${name} is shown where it has no effect")
   endif ()
 endforeach ()

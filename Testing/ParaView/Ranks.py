@@ -111,10 +111,41 @@ def draw_methods():
     draw_both(display, "parallel")
     view.CameraParallelProjection = 0
     simple.Hide(source, view)
+    draw_other_data()
+
+
+def light(display):
+    display.Shade = display.OpticsShade = 1
+    display.ReflectanceModel = "Blinn-Phong"
+    for setting, value in LIGHT.items():
+        setattr(display, setting, value)
+
+
+def draw_other_data():
+    cells = simple.PointDatatoCellData(Input=source)
+    left = simple.AnalyticVolume(Field="Vortex tubes", Dimensions=[20, 24, 24], Bounds=[-1.0, 0.0, -1.0, 1.0, -1.0, 1.0])
+    right = simple.AnalyticVolume(Field="Vortex tubes", Dimensions=[20, 24, 24], Bounds=[0.0, 1.0, -1.0, 1.0, -1.0, 1.0])
+    blocks = simple.GroupDatasets(Input=[left, right])
+    display = Checks.show_volume(cells, view, "Scalars", "CELLS")
+    light(display)
+    draw_both(display, "cells")
+    simple.Hide(cells, view)
+    display = Checks.show_volume(blocks, view)
+    draw_both(display, "blocks")
+    light(display)
+    draw_both(display, "blocks-shade")
+    simple.Hide(blocks, view)
 
 
 if ranks < 3:
     draw_methods()
+
+# Fewer slices than ranks: two cells.
+thin = simple.AnalyticVolume(Field="Vortex tubes", Dimensions=[3, 24, 24])
+display = Checks.show_volume(thin, view)
+light(display)
+draw_both(display, "thin")
+simple.Hide(thin, view)
 
 # A single cell: all ranks but one have nothing.
 cell = simple.AnalyticVolume(Field="Sphere", Dimensions=[2, 2, 2])

@@ -3,6 +3,7 @@
 
 #include "PieceOfVolume.h"
 
+#include "OwnedExtent.h"
 #include "vtkOpticsVolumeMapper.h"
 
 #include "vtkCellData.h"
@@ -10,6 +11,7 @@
 #include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -84,18 +86,43 @@ bool DrawsPieces()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> KeepGhostLayers(vtkImageData* image, const int owned[6])
+vtkSmartPointer<vtkImageData> KeepGhostLayers(vtkImageData* image)
 {
   auto piece = vtk::TakeSmartPointer(image->NewInstance());
   piece->ShallowCopy(image);
-  KeepHidden(piece->GetPointData());
-  KeepHidden(piece->GetCellData());
   vtkNew<vtkIntArray> extent;
   extent->SetName(OwnedExtentName);
   extent->SetNumberOfValues(6);
-  std::copy(owned, owned + 6, extent->GetPointer(0));
+  const volumeoptics::Extent owned = volumeoptics::OwnedExtent(image);
+  std::copy(owned.begin(), owned.end(), extent->GetPointer(0));
   piece->GetFieldData()->AddArray(extent);
+  KeepHidden(piece->GetPointData());
+  KeepHidden(piece->GetCellData());
   return piece;
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox KeepGhostLayersOfBlocks(vtkPartitionedDataSet* blocks)
+{
+  vtkBoundingBox bounds;
+  for (unsigned int i = 0; i < blocks->GetNumberOfPartitions(); ++i)
+  {
+    vtkNew<vtkImageData> owned;
+    auto* image = vtkImageData::SafeDownCast(blocks->GetPartition(i));
+    vtkDataSet* drawn = blocks->GetPartition(i);
+    if (image && image->HasAnyGhostCells())
+    {
+      owned->CopyStructure(image);
+      owned->SetExtent(volumeoptics::OwnedExtent(image).data());
+      drawn = owned;
+      blocks->SetPartition(i, KeepGhostLayers(image));
+    }
+    if (drawn && drawn->GetNumberOfPoints() > 0)
+    {
+      bounds.AddBounds(drawn->GetBounds());
+    }
+  }
+  return bounds;
 }
 
 //------------------------------------------------------------------------------

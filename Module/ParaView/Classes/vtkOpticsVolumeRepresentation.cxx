@@ -11,12 +11,15 @@
 #include "vtkOpticsMultiBlockVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <array>
@@ -194,12 +197,11 @@ int vtkOpticsVolumeRepresentation::ProcessViewRequest(
 }
 
 //------------------------------------------------------------------------------
-// ParaView draws the ghost layers of blocks: they have none.
 int vtkOpticsVolumeRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const int result = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-  if (DrawsPieces() && vtkImageData::GetData(inputs[0], 0))
+  if (DrawsPieces() && inputs[0]->GetNumberOfInformationObjects() > 0)
   {
     inputs[0]->GetInformationObject(0)->Set(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), this->GhostLayers);
@@ -208,21 +210,33 @@ int vtkOpticsVolumeRepresentation::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-// ParaView crops the ghost layers, and takes the place of the piece among the others from what is left.
+// ParaView crops the ghost layers of an image, but not of blocks, and takes the place of the piece among the others
+// from what is left.
 int vtkOpticsVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const int result = this->Superclass::RequestData(request, inputs, outputs);
-  vtkImageData* input = vtkImageData::GetData(inputs[0], 0);
-  auto* cropped = vtkImageData::SafeDownCast(this->Cache);
-  if (DrawsPieces() && input && cropped && input->HasAnyGhostCells())
+  if (!DrawsPieces() || inputs[0]->GetNumberOfInformationObjects() == 0)
   {
-    vtkSmartPointer<vtkImageData> piece = KeepGhostLayers(input, cropped->GetExtent());
-    if (this->UseSeparateOpacityArray)
+    return result;
+  }
+  if (vtkImageData* input = vtkImageData::GetData(inputs[0], 0))
+  {
+    if (input->HasAnyGhostCells())
     {
-      this->AppendOpacityComponent(piece);
+      vtkSmartPointer<vtkImageData> piece = KeepGhostLayers(input);
+      if (this->UseSeparateOpacityArray)
+      {
+        this->AppendOpacityComponent(piece);
+      }
+      this->Cache = piece;
     }
-    this->Cache = piece;
+  }
+  else if (auto* blocks = vtkPartitionedDataSet::SafeDownCast(this->Cache))
+  {
+    KeepGhostLayersOfBlocks(blocks).GetBounds(this->DataBounds);
+    this->OutlineSource->SetBounds(this->DataBounds);
+    this->OutlineSource->Update();
   }
   return result;
 }
