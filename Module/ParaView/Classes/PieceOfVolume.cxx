@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -34,6 +35,25 @@ struct VTKSampleDistance : vtkOpticsVolumeMapper
     return (mapper->*(&VTKSampleDistance::SpacingAdjustedSampleDistance))(spacing, extent);
   }
 };
+
+// Of an image or a rectilinear grid.
+vtkSmartPointer<vtkDataSet> WithoutGhostLayers(vtkDataSet* block)
+{
+  vtkNew<vtkImageData> indices;
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(block))
+  {
+    indices->SetExtent(grid->GetExtent());
+  }
+  else
+  {
+    indices->SetExtent(vtkImageData::SafeDownCast(block)->GetExtent());
+  }
+  indices->GetCellData()->AddArray(block->GetCellGhostArray());
+  auto owned = vtk::TakeSmartPointer(block->NewInstance());
+  owned->ShallowCopy(block);
+  owned->Crop(volumeoptics::OwnedExtent(indices).data());
+  return owned;
+}
 
 // Of the marks of ghosts those that hide, so that VTK does not leave out what belongs to others.
 void KeepHidden(vtkDataSetAttributes* attributes)
@@ -107,15 +127,13 @@ vtkBoundingBox KeepGhostLayersOfBlocks(vtkPartitionedDataSet* blocks)
   vtkBoundingBox bounds;
   for (unsigned int i = 0; i < blocks->GetNumberOfPartitions(); ++i)
   {
-    vtkNew<vtkImageData> owned;
-    auto* image = vtkImageData::SafeDownCast(blocks->GetPartition(i));
-    vtkDataSet* drawn = blocks->GetPartition(i);
-    if (image && image->HasAnyGhostCells())
+    vtkDataSet* block = blocks->GetPartition(i);
+    vtkSmartPointer<vtkDataSet> drawn = block;
+    if (block && block->HasAnyGhostCells())
     {
-      owned->CopyStructure(image);
-      owned->SetExtent(volumeoptics::OwnedExtent(image).data());
-      drawn = owned;
-      blocks->SetPartition(i, KeepGhostLayers(image));
+      drawn = WithoutGhostLayers(block);
+      auto* image = vtkImageData::SafeDownCast(block);
+      blocks->SetPartition(i, image ? KeepGhostLayers(image).Get() : drawn.Get());
     }
     if (drawn && drawn->GetNumberOfPoints() > 0)
     {

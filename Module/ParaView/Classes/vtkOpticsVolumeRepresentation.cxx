@@ -20,6 +20,7 @@
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
 #include "vtkPartitionedDataSet.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <array>
@@ -201,7 +202,9 @@ int vtkOpticsVolumeRepresentation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const int result = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-  if (DrawsPieces() && inputs[0]->GetNumberOfInformationObjects() > 0)
+  const bool hasInput = inputs[0]->GetNumberOfInformationObjects() > 0;
+  if (DrawsPieces() && hasInput &&
+    !vtkRectilinearGrid::GetData(inputs[0], 0)) // ParaView draws those of a grid
   {
     inputs[0]->GetInformationObject(0)->Set(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), this->GhostLayers);
