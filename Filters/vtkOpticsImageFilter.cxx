@@ -208,7 +208,7 @@ void vtkOpticsImageFilter::GetNeededExtent(const ImageGrid& grid, const int outp
 //------------------------------------------------------------------------------
 // Layers of the input around a piece: those of the output, the reach, and, where the output is coarser,
 // the way to the output's next voxel.
-int vtkOpticsImageFilter::GetGhostLevels(const ImageGrid& grid, vtkInformation* output)
+int vtkOpticsImageFilter::CountGhostLayers(const ImageGrid& grid, int layersOfOutput)
 {
   volumeoptics::Halo reach;
   this->GetReach(grid, reach.data());
@@ -219,8 +219,25 @@ int vtkOpticsImageFilter::GetGhostLevels(const ImageGrid& grid, vtkInformation* 
     const volumeoptics::Halo halo = gaussian.GetHalo();
     layers += *std::max_element(halo.begin(), halo.end());
   }
-  layers += output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()) + (grid.Factor < 1.0 ? 2 : 0);
+  layers += layersOfOutput + (grid.Factor < 1.0 ? 2 : 0);
   return static_cast<int>(std::ceil(layers / grid.Factor));
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::GetGhostLevels(const ImageGrid& grid, vtkInformation* output)
+{
+  return this->CountGhostLayers(grid, output->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS()));
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsImageFilter::GetGhostLayers(double resolutionFactor)
+{
+  const int size = 1 << 20; // more than any reach
+  const Extent whole = { 0, size, 0, size, 0, size };
+  const glm::dmat3 axes(1.0);
+  const ImageGrid grid = { whole, whole, resolutionFactor, glm::dvec3(1.0 / resolutionFactor), axes, axes,
+    1.0 };
+  return this->CountGhostLayers(grid, 0);
 }
 
 //------------------------------------------------------------------------------

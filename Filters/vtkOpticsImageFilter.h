@@ -102,6 +102,12 @@ public:
   vtkMultiProcessController* GetController() const;
   ///@}
 
+  /**
+   * Layers of voxels around a piece of an image that the piece's result depends on; resolutionFactor as above.
+   * An upper bound: that of voxels that are cubes.
+   */
+  int GetGhostLayers(double resolutionFactor);
+
   ///@{
   /**
    * Whether the output also has the input's point arrays, so that it can be drawn; with a ResolutionFactor
@@ -150,6 +156,7 @@ protected:
    * Ghost layers of the input around a numbered piece.
    */
   int GetGhostLevels(const volumeoptics::ImageGrid& grid, vtkInformation* output);
+  int CountGhostLayers(const volumeoptics::ImageGrid& grid, int layersOfOutput);
 
   /**
    * The array to work on, if it has what it takes.

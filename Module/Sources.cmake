@@ -105,9 +105,11 @@ set(rendering_sources
   OpticsIsosurfaces
   OpticsMapperKnobs
   OpticsScene
+  OpticsShaderInsertion
   OpticsShaderTable
   OpticsVisibility
   PairCounts
+  PieceTerm
   PreIntegratedTexture
   PreIntegration
   ProjectedTetrahedraPainter
@@ -118,6 +120,7 @@ set(rendering_sources
   SceneNeeds
   ShadowAtlas
   ShadowTerm
+  StandaloneShaders
   SweepGrid
   SweepProgram
   SweepSources

@@ -3,8 +3,7 @@
 
 #include "LineEvaluation.h"
 
-#include "OpticsShaderTable.h"
-
+#include "StandaloneShaders.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"

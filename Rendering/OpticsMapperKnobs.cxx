@@ -8,6 +8,9 @@
 #include "ParameterRange.h"
 #include "QualityPresets.h"
 #include "vtkAmbientCovarianceFilter.h"
+#include "vtkOpticsVolumeProperty.h"
+#include "vtkPrincipalCurvatureFilter.h"
+#include "vtkSobelNormalFilter.h"
 
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -259,6 +262,35 @@ double vtkOpticsVolumeMapper::GetFrameSampleDistance(vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
+int vtkOpticsVolumeMapper::GetGhostLayers(vtkVolumeProperty* property)
+{
+  auto* own = vtkOpticsVolumeProperty::SafeDownCast(property);
+  vtkOpticsVolumeProperty* optics = own ? own : this->GetOptics();
+  int layers = 1; // differences of VTK's gradients
+  if (!optics)
+  {
+    return layers;
+  }
+  if (optics->GetLightingTransferFunction() || optics->GetMultiSampleClassification())
+  {
+    layers += static_cast<int>(std::ceil(optics->GetGradientStepLength()));
+  }
+  const int model = property->GetShade() ? optics->GetReflectanceModel() : vtkOpticsVolumeProperty::VTK;
+  if (model == vtkOpticsVolumeProperty::Ward || model == vtkOpticsVolumeProperty::Lafortune)
+  {
+    const bool isCurvature = optics->GetFrameSource() == vtkOpticsVolumeProperty::Curvature;
+    vtkOpticsImageFilter* frames = isCurvature
+      ? static_cast<vtkOpticsImageFilter*>(this->GetPrincipalCurvatureFilter())
+      : this->GetAmbientCovarianceFilter();
+    layers = std::max(layers, frames->GetGhostLayers(this->FrameResolutionFactor));
+  }
+  layers = std::max(layers, this->GetSobelNormalFilter()->GetGhostLayers(this->FrameResolutionFactor));
+  const bool hasSegments = optics->GetIntegrationSpace() == vtkOpticsVolumeProperty::Data ||
+    optics->GetClassification() == vtkOpticsVolumeProperty::PreIntegrated;
+  return hasSegments ? layers + 1 : layers; // a segment may begin a step before the piece
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -280,6 +312,12 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TablePrecision: " << this->TablePrecision << "\n";
   os << indent << "SkipEmptySpace: " << (this->SkipEmptySpace ? "on" : "off") << "\n";
   os << indent << "MacrocellSize: " << this->MacrocellSize << "\n";
+  os << indent << "DrawnExtent: " << this->DrawnExtent[0] << " " << this->DrawnExtent[1] << " "
+     << this->DrawnExtent[2] << " " << this->DrawnExtent[3] << " " << this->DrawnExtent[4] << " "
+     << this->DrawnExtent[5] << "\n";
+  os << indent << "WholeExtent: " << this->WholeExtent[0] << " " << this->WholeExtent[1] << " "
+     << this->WholeExtent[2] << " " << this->WholeExtent[3] << " " << this->WholeExtent[4] << " "
+     << this->WholeExtent[5] << "\n";
   os << indent << "LinePrecision: " << this->LinePrecision << "\n";
   os << indent << "LineOpacityFunction: " << this->LineOpacityFunction.Get() << "\n";
   for (const auto& [type, scale] : this->LineRadiusScales)

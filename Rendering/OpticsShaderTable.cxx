@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "OpticsShaderTable.h"
-
-#include "vtkShaderProgram.h"
+#include "OpticsShaderPlaces.h"
 
 #include "AmbientAlone.h"
 #include "AmbientColor.h"
@@ -20,10 +18,7 @@
 #include "ColorOfSample.h"
 #include "ColorOfSegment.h"
 #include "ColorTable.h"
-#include "CylinderLighting.h"
 #include "DataSpace.h"
-#include "DataSpaceInterior.h"
-#include "DataSpaceSegment.h"
 #include "EmptySpaceDec.h"
 #include "EmptySpaceInit.h"
 #include "EmptySpaceOfSamples.h"
@@ -56,17 +51,13 @@
 #include "LineAmbientNone.h"
 #include "LineBlock.h"
 #include "LineBlockNone.h"
-#include "LineEvaluationFragment.h"
-#include "LineEvaluationVertex.h"
 #include "LineLookup.h"
-#include "LinePlacementFragment.h"
 #include "LineRay.h"
 #include "LineShadingImpl.h"
 #include "LineShadingInit.h"
 #include "LineShadowed.h"
 #include "LineShadows.h"
 #include "LineTerminate.h"
-#include "LineVoxel.h"
 #include "LinesDec.h"
 #include "MajorParameterLafortune.h"
 #include "MajorParameterWard.h"
@@ -84,15 +75,16 @@
 #include "OpacityAtScalarAndGradient.h"
 #include "OpacityTable.h"
 #include "PhaseFunction.h"
+#include "PieceDec.h"
+#include "PieceEnd.h"
+#include "PieceInit.h"
+#include "PieceOfSamples.h"
+#include "PieceOfSegments.h"
+#include "PieceRay.h"
+#include "PieceTerminate.h"
 #include "OwnDepth.h"
 #include "OwnOpacity.h"
 #include "OwnOpacityInData.h"
-#include "ProjectedTetrahedraDec.h"
-#include "ProjectedTetrahedraInterior.h"
-#include "ProjectedTetrahedraIsosurfaces.h"
-#include "ProjectedTetrahedraMain.h"
-#include "ProjectedTetrahedraSegment.h"
-#include "ProjectedTetrahedraVertex.h"
 #include "RayDec.h"
 #include "RayInit.h"
 #include "Reflectance.h"
@@ -123,7 +115,6 @@
 #include "SilhouetteGeometry.h"
 #include "SilhouetteOff.h"
 #include "SoftRange.h"
-#include "SphericalHarmonics.h"
 #include "SurfaceAnisotropic.h"
 #include "SurfaceCoefficient.h"
 #include "SurfaceDec.h"
@@ -151,37 +142,9 @@
 #include "TransmittedSurface.h"
 #include "Visibility.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace
 {
 using F = OpticsFeature;
-
-struct Place
-{
-  const char* Tag;
-  bool KeepsVTKText;        // ours is added to VTK's, or stands in its place
-  bool IsBeforeVTK = false; // added before VTK's, or behind it
-};
-
-const Place BaseDec = { "//VTK::Base::Dec", true };
-const Place BaseInit = { "//VTK::Base::Init", true };
-const Place ComputeLightingDec = { "//VTK::ComputeLighting::Dec", true };
-const Place ComputeRayDirectionDec = { "//VTK::ComputeRayDirection::Dec", true };
-const Place ClippingImpl = { "//VTK::Clipping::Impl", true };
-const Place BaseImpl = { "//VTK::Base::Impl", true, true };
-const Place ShadingInit = { "//VTK::Shading::Init", true };
-const Place ShadingImpl = { "//VTK::Shading::Impl", false };
-const Place DepthPassImpl = { "//VTK::DepthPass::Impl", true };
-const Place TerminateImpl = { "//VTK::Terminate::Impl", false };
-const Place AfterTerminateImpl = { "//VTK::Terminate::Impl", true };
-// Places of our own, in Lighting.glsl and LineShadingImpl.glsl.
-const Place GradientPlace = { "//Optics::Gradient", false };
-const Place SurfacePlace = { "//Optics::Surface", false };
-const Place LightPlace = { "//Optics::Light", false };
-const Place TransmissionPlace = { "//Optics::Transmission", false };
-const Place LinesPlace = { "//Optics::Lines", false };
 
 struct Row
 {
@@ -199,7 +162,11 @@ const Row Table[] = {
   { F::FrameLookup, &BaseDec, FrameDec },
   { F::VisibilitySweep, &BaseDec, SweepDec },
   { F::Lines, &BaseDec, LinesDec },
+  { F::Piece, &BaseDec, PieceDec },
 
+  { F::Piece, &BaseInit, PieceInit },
+  { F::PieceOfSamples, &BaseInit, PieceOfSamples },
+  { F::PieceOfSegments, &BaseInit, PieceOfSegments },
   { F::Ray, &BaseInit, RayInit },
   { F::FrameLookup, &BaseInit, FrameInit },
 
@@ -273,6 +240,9 @@ const Row Table[] = {
   { F::Transmitted, &LightPlace, TransmittedSide },
   { F::Transmitted, &TransmissionPlace, Transmitted },
 
+  { F::Piece, &TerminateInit, PieceTerminate },
+  { F::PieceOfSegments, &EndPlace, PieceEnd },
+  { F::Piece, &ComputeRayDirectionDec, PieceRay },
   { F::Integral, &ComputeRayDirectionDec, IntegralDec },
   { F::ColorTable, &ComputeRayDirectionDec, ColorTable },
   { F::NoColorTable, &ComputeRayDirectionDec, NoColorTable },
@@ -330,41 +300,10 @@ const Row Table[] = {
   { F::LineShadows, &LinesPlace, LineShadowed },
   { F::Lines, &AfterTerminateImpl, LineTerminate },
 };
-
-// Where VTK hands a sample to computeLighting(), the sample's scalar is handed on with it.
-struct Statement
-{
-  const char* Text;
-  const char* Replacement;
-};
-const Statement LightingCalls[] = {
-  { "return clamp(computeLighting(", "g_opticsScalar = scalar;\n  return opticsUnclamped(computeLighting(" },
-  { "return computeLighting(", "g_opticsScalar = scalar;\n  return computeLighting(" },
-  { "g_srcColor = computeLighting(", "g_opticsScalar = scalar;\n      g_srcColor = computeLighting(" },
-};
-
-// Where VTK classifies a sample by its scalar alone; after the calls above.
-const Statement ClassificationCalls[] = {
-  { "g_srcColor.a = computeOpacity(scalar);",
-    "g_srcColor.a = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
-  { "float opacity = computeOpacity(scalar);",
-    "float opacity = opticsClassifiedOpacity(scalar, computeOpacity(scalar));" },
-  { "return clamp(computeLighting(", "return clamp(opticsLightClassified(" },
-  { "return opticsUnclamped(computeLighting(", "return opticsUnclamped(opticsLightClassified(" },
-};
-
-template <std::size_t Count>
-bool ReplaceAny(std::string& fragment, const Statement (&statements)[Count])
-{
-  bool found = false;
-  for (const Statement& statement : statements)
-  {
-    found |= vtkShaderProgram::Substitute(fragment, statement.Text, statement.Replacement, true);
-  }
-  return found;
 }
 
-std::string TextFor(const Place& place, const OpticsFeatures& features)
+//------------------------------------------------------------------------------
+std::string OpticsText(const Place& place, const OpticsFeatures& features)
 {
   std::string text;
   for (const Row& row : Table)
@@ -375,115 +314,4 @@ std::string TextFor(const Place& place, const OpticsFeatures& features)
     }
   }
   return text;
-}
-
-// GLSL arrays are sized by constants, and have at least one element.
-std::string NumbersText(const OpticsFeatures& features)
-{
-  const int slots = std::max(features.NumberOfLights, 1);
-  const std::string text = "#define OPTICS_NUMBER_OF_LIGHTS " + std::to_string(features.NumberOfLights) +
-    "\n#define OPTICS_LIGHT_SLOTS " + std::to_string(slots) + "\n";
-  return features.NumberOfShadowViews == 0
-    ? text
-    : text + "#define OPTICS_SHADOW_VIEWS " + std::to_string(features.NumberOfShadowViews) + "\n";
-}
-
-// Our own places are in our text; those that no term fills leave nothing behind.
-void FillOwnPlaces(std::string& fragment, const OpticsFeatures& features)
-{
-  for (const Place* place : { &GradientPlace, &SurfacePlace, &LightPlace, &TransmissionPlace, &LinesPlace })
-  {
-    vtkShaderProgram::Substitute(fragment, place->Tag, TextFor(*place, features), false);
-  }
-}
-
-bool Insert(std::string& fragment, const Place& place, const std::string& text)
-{
-  if (text.empty())
-  {
-    return true;
-  }
-  const std::string kept = place.KeepsVTKText ? std::string(place.Tag) + "\n" : std::string();
-  return vtkShaderProgram::Substitute(
-    fragment, place.Tag, place.IsBeforeVTK ? text + kept : kept + text, false);
-}
-
-// Our own lighting stands in the place of VTK's; without it what is needed there is added.
-bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
-{
-  Place place = ComputeLightingDec;
-  std::string text = TextFor(ComputeLightingDec, features);
-  const bool replaces = features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone);
-  place.KeepsVTKText = !replaces;
-  if (replaces || features.Has(OpticsFeature::Shadows))
-  {
-    text.insert(0, NumbersText(features));
-  }
-  return Insert(fragment, place, text);
-}
-}
-
-//------------------------------------------------------------------------------
-bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features)
-{
-  bool found = InsertLighting(fragment, features);
-  for (const Place* place : { &BaseDec, &BaseInit, &ComputeRayDirectionDec, &ClippingImpl, &ShadingInit,
-         &BaseImpl, &ShadingImpl, &DepthPassImpl, &TerminateImpl, &AfterTerminateImpl })
-  {
-    found &= Insert(fragment, *place, TextFor(*place, features));
-  }
-  FillOwnPlaces(fragment, features);
-  return found;
-}
-
-//------------------------------------------------------------------------------
-bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features)
-{
-  const bool isLit = !features.Has(OpticsFeature::Reflectance) || ReplaceAny(fragment, LightingCalls);
-  return isLit && (!features.Has(OpticsFeature::MultiSample) || ReplaceAny(fragment, ClassificationCalls));
-}
-
-//------------------------------------------------------------------------------
-std::string LineEvaluationVertexShader()
-{
-  return LineEvaluationVertex;
-}
-
-//------------------------------------------------------------------------------
-std::string LineEvaluationFragmentShader(int order, int types, bool inBytes)
-{
-  const std::string constants = "#define OPTICS_LINE_ORDER " + std::to_string(order) +
-    "\n#define OPTICS_LINE_TYPES " + std::to_string(types) + (inBytes ? "\n#define OPTICS_LINE_BYTES" : "") +
-    "\n";
-  return "//VTK::System::Dec\n//VTK::Output::Dec\n" + constants + Opacity + SphericalHarmonics +
-    CylinderLighting + LineVoxel + LineEvaluationFragment;
-}
-
-//------------------------------------------------------------------------------
-std::string LinePlacementFragmentShader()
-{
-  return LinePlacementFragment;
-}
-
-//------------------------------------------------------------------------------
-std::string ProjectedTetrahedraVertexShader()
-{
-  return ProjectedTetrahedraVertex;
-}
-
-//------------------------------------------------------------------------------
-std::string ProjectedTetrahedraFragmentShader(const std::string& color)
-{
-  return std::string(ProjectedTetrahedraDec) + Opacity + DataSpace + color + ProjectedTetrahedraMain;
-}
-
-//------------------------------------------------------------------------------
-std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces)
-{
-  // a constant, so that what the mode does not need is not compiled
-  const std::string interior =
-    "int SilhouetteMode() { return " + std::to_string(silhouette) + "; }\n" + DataSpaceInterior;
-  return ProjectedTetrahedraFragmentShader(hasIsosurfaces
-      ? interior + ProjectedTetrahedraIsosurfaces + DataSpaceSegment + ProjectedTetrahedraSegment
-      : interior + ProjectedTetrahedraInterior);
 }

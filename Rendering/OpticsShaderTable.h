@@ -102,6 +102,9 @@ enum class OpticsFeature
   LineAmbient,
   LineAmbientNone,
   LineShadows,
+  Piece, // of a larger volume
+  PieceOfSamples,
+  PieceOfSegments, // of the integral's
   Count
 };
 
@@ -125,33 +128,14 @@ private:
 };
 
 /**
- * Inserts the text of the features at VTK's tags, before VTK's own text. Returns false where a
- * place is missing from the fragment shader: this VTK's shader differs from those known.
+ * Inserts the text of the features at VTK's tags, before VTK's own text. Where this VTK's shader has no such tag it is
+ * left as it was, and the tag returned; else nothing.
  */
-bool InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features);
+std::string InsertOpticsBeforeVTK(std::string& fragment, const OpticsFeatures& features);
 
 /**
- * Replaces statements of VTK's own text, after VTK has written it. Returns false as above.
+ * Replaces statements of VTK's own text, after VTK has written it. Returns the statement that is missing, or nothing.
  */
-bool ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
-
-/**
- * The shaders that evaluate anisotropic voxels of an order and a number of line types, and put them where rays look
- * them up. inBytes: of 8 bits a number.
- */
-std::string LineEvaluationVertexShader();
-std::string LineEvaluationFragmentShader(int order, int types, bool inBytes);
-std::string LinePlacementFragmentShader();
-
-/**
- * The shaders of vtkDataSpaceProjectedTetrahedraMapper. silhouette: vtkOpticsVolumeProperty's.
- */
-std::string ProjectedTetrahedraVertexShader();
-std::string ProjectedTetrahedraFragmentShader(int silhouette, bool hasIsosurfaces);
-
-/**
- * The same with another text that defines FragmentColor(), as ProjectedTetrahedraInterior.glsl does.
- */
-std::string ProjectedTetrahedraFragmentShader(const std::string& color);
+std::string ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& features);
 
 #endif

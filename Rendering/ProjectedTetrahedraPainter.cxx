@@ -3,8 +3,8 @@
 
 #include "ProjectedTetrahedraPainter.h"
 
+#include "StandaloneShaders.h"
 #include "DataSpaceClassification.h"
-#include "OpticsShaderTable.h"
 #include "TetrahedraVertices.h"
 #include "vtkPreIntegratedTable.h"
 

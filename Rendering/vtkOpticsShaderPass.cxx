@@ -13,6 +13,14 @@
 
 vtkStandardNewMacro(vtkOpticsShaderPass);
 
+namespace
+{
+void DrawNothing(std::string& fragment)
+{
+  vtkShaderProgram::Substitute(fragment, "void main()\n{", "void main()\n{\n  discard;", false);
+}
+}
+
 //------------------------------------------------------------------------------
 void vtkOpticsShaderPass::SetFeatures(const OpticsFeatures& features)
 {
@@ -66,21 +74,23 @@ void vtkOpticsShaderPass::Detach()
 }
 
 //------------------------------------------------------------------------------
-void vtkOpticsShaderPass::SayMissingPlace(const char* stage)
+void vtkOpticsShaderPass::SayMissing(const std::string& text, const char* consequence)
 {
-  vtkErrorMacro(<< "The volume shader of VTK " << vtkVersion::GetVTKVersion()
-                << " has no place for the optical terms (" << stage
-                << " VTK's text). VTK 9.1 to 9.7 are known to have it; a replacement of the user's own "
-                   "may have removed it.");
+  vtkErrorMacro(
+    << "The volume shader of VTK " << vtkVersion::GetVTKVersion() << " has no \"" << text
+    << "\", where the optical terms belong: " << consequence
+    << " VTK 9.1 to 9.7 are known to have it; a replacement of the user's own may have removed it.");
 }
 
 //------------------------------------------------------------------------------
 bool vtkOpticsShaderPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  if (!InsertOpticsBeforeVTK(fragmentShader, this->Features))
+  const std::string missing = InsertOpticsBeforeVTK(fragmentShader, this->Features);
+  this->IsInserted = missing.empty();
+  if (!this->IsInserted)
   {
-    this->SayMissingPlace("before");
+    this->SayMissing(missing, "the volume is drawn without them.");
   }
   return true;
 }
@@ -89,9 +99,13 @@ bool vtkOpticsShaderPass::PreReplaceShaderValues(
 bool vtkOpticsShaderPass::PostReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {
-  if (!ReplaceOpticsInVTK(fragmentShader, this->Features))
+  const std::string missing =
+    this->IsInserted ? ReplaceOpticsInVTK(fragmentShader, this->Features) : std::string();
+  if (!missing.empty())
   {
-    this->SayMissingPlace("in");
+    this->IsInserted = false;
+    DrawNothing(fragmentShader);
+    this->SayMissing(missing, "the volume is not drawn.");
   }
   this->FragmentShader = fragmentShader;
   return true;
@@ -113,7 +127,7 @@ bool vtkOpticsShaderPass::SetShaderParameters(
 //------------------------------------------------------------------------------
 void vtkOpticsShaderPass::BeforeDraw()
 {
-  if (this->Program)
+  if (this->Program && this->IsInserted)
   {
     for (OpticsTerm* term : this->Terms)
     {

@@ -53,7 +53,7 @@ private:
   vtkOpticsShaderPass(const vtkOpticsShaderPass&) = delete;
   void operator=(const vtkOpticsShaderPass&) = delete;
 
-  void SayMissingPlace(const char* stage);
+  void SayMissing(const std::string& text, const char* consequence);
 
   OpticsFeatures Features;
   vtkTimeStamp FeaturesTime;
@@ -62,6 +62,7 @@ private:
   vtkShaderProgram* Program = nullptr; // of the frame that is being drawn
   std::set<std::string> Programs;
   std::string FragmentShader;
+  bool IsInserted = true; // the terms, into the text composed last
 };
 
 #endif

@@ -13,6 +13,7 @@
 #include "MultiSampleTerm.h"
 #include "OcclusionTerm.h"
 #include "OpticsFactory.h"
+#include "PieceTerm.h"
 #include "ReflectanceTerm.h"
 #include "SceneNeeds.h"
 #include "ShadowTerm.h"
@@ -71,9 +72,10 @@ public:
   LineVoxelTerm Lines;
   OcclusionTerm Occlusion;
   ShadowTerm Shadows;
+  PieceTerm Piece;
   std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
     &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines, &this->Occlusion,
-    &this->Shadows, &this->EmptySpace };
+    &this->Shadows, &this->EmptySpace, &this->Piece };
   vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of volumes whose property is VTK's
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
@@ -474,6 +476,14 @@ void vtkOpticsVolumeMapper::GetTextureToData(double matrix[16])
   double pointToCell[16];
   vtkMatrix4x4::Invert(texture->CellToPointMatrix->GetData(), pointToCell);
   vtkMatrix4x4::Multiply4x4(texture->GetCurrentBlock()->TextureToDataset->GetData(), pointToCell, matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::GetTextureBox(float least[3], float greatest[3])
+{
+  vtkVolumeTexture* texture = this->AssembledInputs[0].Texture;
+  std::copy_n(texture->AdjustedTexMin, 3, least);
+  std::copy_n(texture->AdjustedTexMax, 3, greatest);
 }
 
 //------------------------------------------------------------------------------

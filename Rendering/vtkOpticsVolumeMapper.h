@@ -45,6 +45,7 @@ class vtkPrincipalCurvatureFilter;
 class vtkSobelNormalFilter;
 class vtkTextureObject;
 class vtkVisibilitySweep;
+class vtkVolumeProperty;
 
 class VTKVOLUMEOPTICS_EXPORT vtkOpticsVolumeMapper : public vtkOpenGLGPUVolumeRayCastMapper
 {
@@ -340,6 +341,25 @@ public:
 
   ///@{
   /**
+   * A piece of a larger volume, whose other pieces other mappers draw: the extent of it that is drawn, so that
+   * ghost layers of the input beyond it serve gradients and whatever else looks around a sample; and the extent of the
+   * whole, so that the samples are those of a ray through the whole. Default both empty (0, -1, ...): all of the input,
+   * and nothing more. For vtkImageData; partitions of VTK's mapper are drawn whole.
+   */
+  vtkSetVector6Macro(DrawnExtent, int);
+  vtkGetVector6Macro(DrawnExtent, int);
+  vtkSetVector6Macro(WholeExtent, int);
+  vtkGetVector6Macro(WholeExtent, int);
+  ///@}
+
+  /**
+   * Layers of voxels around a piece that the optics of this mapper look at with a volume's property: as many ghost
+   * layers of the input make the piece's picture that of the whole. Occlusion and shadows reach farther.
+   */
+  int GetGhostLayers(vtkVolumeProperty* property);
+
+  ///@{
+  /**
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
    * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
@@ -408,8 +428,9 @@ public:
   bool HasPartitions();                             // of the loaded volume
   double GetFrameSampleDistance(vtkVolume* volume); // whatever VTK adjusts it to
   int GetNumberOfBlocks();
-  vtkTextureObject* GetVolumeTexture();     // of the block that is drawn next
-  void GetTextureToData(double matrix[16]); // of its coordinates, row by row
+  vtkTextureObject* GetVolumeTexture();                  // of the block that is drawn next
+  void GetTextureToData(double matrix[16]);              // of its coordinates, row by row
+  void GetTextureBox(float least[3], float greatest[3]); // of the input's first and last point
 #endif
 
 protected:
@@ -449,6 +470,8 @@ private:
   int Quality = Custom;
   bool SkipEmptySpace = true;
   int MacrocellSize = 8;
+  int DrawnExtent[6] = { 0, -1, 0, -1, 0, -1 };
+  int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
 
   class Implementation;
   std::unique_ptr<Implementation> Terms;

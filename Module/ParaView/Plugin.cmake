@@ -6,7 +6,7 @@
 
 # Components, because without them all are looked for, and with them Qt.
 find_package(ParaView 5.11 REQUIRED COMPONENTS
-  RemotingCore RemotingServerManager RemotingViews VTKExtensionsCore)
+  icet RemotingCore RemotingServerManager RemotingViews VTKExtensionsCore)
 
 paraview_plugin_scan(
   PLUGIN_FILES      "${CMAKE_CURRENT_SOURCE_DIR}/Module/ParaView/paraview.plugin"

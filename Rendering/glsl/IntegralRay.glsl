@@ -15,6 +15,7 @@ float opticsPlaceOfEnd(vec3 rayEnd)
       end = min(end, (face - g_rayOrigin[axis]) / g_dirStep[axis]);
     }
   }
+  //Optics::End
   return end;
 }
 

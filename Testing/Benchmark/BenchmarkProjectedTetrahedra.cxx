@@ -12,8 +12,8 @@
 // The scene is that of its figure 8: a buckyball of points^3 (32: 148,955 tetrahedra).
 
 #include "BuckyballScene.h"
+#include "StandaloneShaders.h"
 #include "DataSpaceClassification.h"
-#include "OpticsShaderTable.h"
 #include "ProjectedTetrahedraPainter.h"
 #include "TetrahedraVertices.h"
 #include "vtkHeadlessRenderWindow.h"

@@ -70,6 +70,11 @@ def dress(display, view, array="Scalars", association="POINTS"):
     look_at(view)
 
 
+def value_of(prop):
+    data = prop.GetData()
+    return list(data) if isinstance(data, servermanager.VectorProperty) else data
+
+
 def look_at(view):
     view.CameraPosition = [2.5, -4.0, 2.0]
     view.CameraFocalPoint = [0.0, 0.0, 0.0]

@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: VolumeOptics contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""A client of pvserver. Arguments: the port, and whether the plugin is on both sides or on the client's alone."""
+"""A client of pvserver. Arguments: the port, and whether the plugin is on both sides, there in another version on the
+server, or on the client's alone."""
 
+import os
+import re
 import sys
 
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 import Checks
 from Checks import check, check_differs, check_equal, finish, take_picture
@@ -14,6 +18,8 @@ simple.Connect("localhost", int(sys.argv[1]))
 simple._DisableFirstRenderCameraReset()
 if sys.argv[2] == "both":
     simple.LoadPlugin(Checks.PLUGIN, remote=True, ns=vars(simple))
+elif sys.argv[2] == "other":
+    simple.LoadPlugin(os.environ["VOLUMEOPTICS_OTHER_PLUGIN"], remote=True, ns=vars(simple))
 simple.LoadPlugin(Checks.PLUGIN, remote=False, ns=vars(simple))
 
 if sys.argv[2] == "both":
@@ -40,6 +46,18 @@ if sys.argv[2] == "both":
     normals = simple.SobelNormals(Input=source)
     normals.UpdatePipeline()
     check(normals.PointData["Normals"].GetNumberOfComponents() == 3, "normals on the server")
+elif sys.argv[2] == "other":
+    messages = vtkStringOutputWindow()
+    usual = vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(messages)
+    view = Checks.make_view()
+    simple.Show(simple.Wavelet(), view)
+    simple.Show(simple.Sphere(), view)
+    simple.Show(simple.AnalyticVolume(), view)
+    vtkOutputWindow.SetInstance(usual)
+    text = messages.GetOutput()
+    check(text.count("load the same version on both") == 1, f"another version on the server is not said once: {text}")
+    check(re.search(r"[0-9.]+ on the client and 9\.9\.9 on the server", text), f"the versions are not named: {text}")
 else:
     # ParaView asks for the plugin on the server, the panel in a dialogue; the filters are not offered.
     manager = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()

@@ -34,10 +34,6 @@ def difference(ranks, what):
     return pixels.max(), pixels.mean(), numpy.percentile(pixels, [90, 99, 99.9])
 
 
-def share_beyond(ranks, what, bound):
-    return (differences(ranks, what) > bound).mean()
-
-
 ARRAYS = {
     "sobel": ("Normals", "GradientMagnitude", "Scalars"),
     "covariance": ("AmbientCovariance", "Scalars"),
@@ -45,17 +41,37 @@ ARRAYS = {
     "half": ("Normals",),
     "histogram": ("Counts",),
 }
-# What Volume differs by, and one code, is what these may differ by.
+# What Volume differs by, and one code of 255, is what these may differ by.
 LIKE_STOCK = {
     "off": "stock",
+    "off-shade": "stock-shade",
+    "vtk": "stock-shade",
+    "none": "stock-shade",
+    "blinn-phong": "stock-shade",
     "ward": "stock-shade",
+    "ward-curvature": "stock-shade",
+    "lafortune": "stock-shade",
     "data-space": "stock-shade",
+    "silhouettes": "stock-shade",
+    "isosurfaces": "stock-shade",
     "pre-integrated": "stock-shade",
+    "lighting": "stock-shade",
+    "hybrid": "stock-shade",
+    "rules": "stock-shade",
+    "bright": "stock-shade",
+    "geometry": "stock-geometry",
+    "inside": "stock-inside",
+    "parallel": "stock-parallel",
+    "cells": "stock-cells",
+    "blocks": "stock-blocks",
+    "blocks-shade": "stock-blocks-shade",
+    "thin": "stock-thin",
 }
-# These differ by more, from causes that docs/paraview.md names: what is tested is that it does not get worse than
-# the share of pixels measured there, in percent.
-FARTHER_THAN_STOCK = {"lighting": 2.0}
-WRAPPED = 128
+OF_MANY_RANKS = ("thin",)
+
+# Light changes sides where a surface is seen edge-on, or at the end of a peak of opacity: there, and there alone, a
+# picture hangs on a rounding. So many pixels of ten thousand may differ by more than Volume's.
+ON_EDGE = {"transmitted": ("stock-shade", 2e-4)}
 
 for ranks in map(int, sys.argv[1:]):
     for what, names in ARRAYS.items():
@@ -64,21 +80,17 @@ for ranks in map(int, sys.argv[1:]):
         for name in names:
             same = numpy.array_equal(array_of(one, name), array_of(several, name))
             check(same, f"{ranks} ranks: {what} has another array {name}")
-    if ranks > 2:
-        continue
     for what, stock in LIKE_STOCK.items():
+        if ranks > 2 and what not in OF_MANY_RANKS:
+            continue
         ours, theirs = difference(ranks, what), difference(ranks, stock)
         print(f"{ranks} ranks: {what} differs by {ours}, Volume by {theirs}", flush=True)
         check(ours[0] <= theirs[0] + 1, f"{ranks} ranks: {what} differs by {ours}, Volume by {theirs}")
-        # Volume's samples lie elsewhere on several ranks
-        check(ours[1] < theirs[1], f"{ranks} ranks: {what} differs by {ours} in the mean, Volume by {theirs}")
-    largest = difference(ranks, "stock-shade")[0]
-    for what, bound in FARTHER_THAN_STOCK.items():
-        ours, share = difference(ranks, what), 100.0 * share_beyond(ranks, what, largest + 1)
-        print(f"{ranks} ranks: {what} differs by {ours}, {share:.2f} % by more than Volume", flush=True)
-        check(share < bound, f"{ranks} ranks: {what} differs by more than Volume in {share:.2f} % of the pixels")
-    ours = difference(ranks, "bright")
-    print(f"{ranks} ranks: bright differs by {ours}", flush=True)
-    check(ours[0] < WRAPPED, f"{ranks} ranks: light passes 255 and begins at 0 again: {ours}")
+        check(ours[1] <= theirs[1], f"{ranks} ranks: {what} differs by {ours} in the mean, Volume by {theirs}")
+    for what, (stock, bound) in ON_EDGE.items() if ranks == 2 else ():
+        largest, ours = difference(ranks, stock)[0], difference(ranks, what)
+        share = (differences(ranks, what) > largest + 1).mean()
+        print(f"{ranks} ranks: {what} differs by {ours}, by more than Volume in {share:.5f} of the pixels", flush=True)
+        check(share <= bound, f"{ranks} ranks: {what} differs by more than Volume in {share} of the pixels")
 
 finish()

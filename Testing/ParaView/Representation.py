@@ -6,7 +6,7 @@
 import os
 
 import numpy
-from paraview import servermanager, simple
+from paraview import simple
 
 import Checks
 from Checks import check, check_baseline, check_differs, check_equal, finish, load_plugin, take_picture
@@ -37,11 +37,6 @@ def show_like(source, array, association="POINTS", **settings):
     for name, value in settings.items():
         setattr(shown, name, value)
     return shown
-
-
-def value_of(prop):
-    data = prop.GetData()
-    return list(data) if isinstance(data, servermanager.VectorProperty) else data
 
 
 def component(mode, index=0):
@@ -119,7 +114,7 @@ METHODS = {
 }
 WITH_BASELINE = ("ward", "data-space", "lighting")
 for name, settings in METHODS.items():
-    before = {key: value_of(display.GetProperty(key)) for key in settings}
+    before = {key: Checks.value_of(display.GetProperty(key)) for key in settings}
     for key, value in settings.items():
         setattr(display, key, value)
     pixels = take_picture(view, "method-" + name)

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # ClientServer.py with a server of two ranks. Arguments: the folder of ParaView's programs, mpirun, and whether
-# the plugin is on both sides (both) or on the client's alone (client).
+# the plugin is on both sides (both), there in another version on the server (other), or on the client's alone (client).
 
 set -euo pipefail
 programs=$1
@@ -12,6 +12,15 @@ sides=$3
 folder=$(dirname "${BASH_SOURCE[0]}")
 port=$((20000 + $$ % 20000))
 log=$VOLUMEOPTICS_OUTPUT/server-$sides.log
+
+# Another version of the plugin: the same but for the number, which has five characters.
+if [ "$sides" = other ]; then
+  folder_of_other=$VOLUMEOPTICS_OUTPUT/other
+  rm -rf "$folder_of_other"
+  cp -r "$(dirname "$VOLUMEOPTICS_PLUGIN")" "$folder_of_other"
+  export VOLUMEOPTICS_OTHER_PLUGIN=$folder_of_other/VolumeOptics.so
+  sed -i "s/${VOLUMEOPTICS_VERSION//./\\.}/9.9.9/g" "$VOLUMEOPTICS_OTHER_PLUGIN"
+fi
 
 "$mpirun" --oversubscribe -n 2 "$programs/pvserver" --server-port=$port --force-offscreen-rendering >"$log" 2>&1 &
 server=$!

@@ -272,6 +272,46 @@ void vtkOpticsVolumeRepresentation::SetVisibilityPrecision(int bits)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeRepresentation::SetVisibilityAlgorithm(int algorithm)
+{
+  this->GetBlocks()->SetKnob(
+    "VisibilityAlgorithm", [=](Mapper* mapper) { mapper->SetVisibilityAlgorithm(algorithm); });
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeRepresentation::SetVisibilityDiskSize(int size)
+{
+  this->GetBlocks()->SetKnob(
+    "VisibilityDiskSize", [=](Mapper* mapper) { mapper->SetVisibilityDiskSize(size); });
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeRepresentation::SetVisibilityTrueDistances(bool on)
+{
+  this->GetBlocks()->SetKnob(
+    "VisibilityTrueDistances", [=](Mapper* mapper) { mapper->SetVisibilityTrueDistances(on); });
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeRepresentation::SetVisibilitySliceDistance(double froxels)
+{
+  this->GetBlocks()->SetKnob(
+    "VisibilitySliceDistance", [=](Mapper* mapper) { mapper->SetVisibilitySliceDistance(froxels); });
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeRepresentation::SetSkipEmptySpace(bool on)
+{
+  this->GetBlocks()->SetKnob("SkipEmptySpace", [=](Mapper* mapper) { mapper->SetSkipEmptySpace(on); });
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeRepresentation::SetMacrocellSize(int voxels)
+{
+  this->GetBlocks()->SetKnob("MacrocellSize", [=](Mapper* mapper) { mapper->SetMacrocellSize(voxels); });
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetLinePrecision(int bits)
 {
   this->GetBlocks()->SetKnob("LinePrecision", [=](Mapper* mapper) { mapper->SetLinePrecision(bits); });

@@ -3,38 +3,24 @@
 
 #include "PieceOfVolume.h"
 
+#include "OwnedExtent.h"
 #include "vtkOpticsVolumeMapper.h"
 
+#include "vtkCellData.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkMultiProcessController.h"
-#include "vtkShaderProperty.h"
-#include "vtkUniforms.h"
-#include "vtkVolume.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
 namespace
 {
-// The whole volume's box in units of the piece's, and the ray's steps from its entry there, or from the eye if
-// that is inside, to the entry into the piece. 1e-4: rounding, so that no first sample is lost.
-const char* const AlignedSamples = R"***(//VTK::Base::Init
-  vec3 opticsPieceSize = in_texMax[0] - in_texMin[0];
-  vec3 opticsFaces = in_texMin[0] + opticsPieceSize * mix(in_opticsWholeMin, in_opticsWholeMax,
-    vec3(lessThan(g_dirStep, vec3(0.0))));
-  vec3 opticsStep = mix(g_dirStep, vec3(1e-20), lessThan(abs(g_dirStep), vec3(1e-20)));
-  vec3 opticsToFaces = mix((opticsFaces - ip_textureCoords) / opticsStep, vec3(-1e20),
-    lessThan(abs(g_dirStep), vec3(1e-20)));
-  vec4 opticsEye = ip_inverseTextureDataAdjusted * g_eyePosObj;
-  float opticsToEye = dot(opticsEye.xyz / opticsEye.w - ip_textureCoords, g_dirStep) / dot(g_dirStep, g_dirStep);
-  float opticsToEntry = max(max(opticsToFaces.x, opticsToFaces.y), max(opticsToFaces.z, opticsToEye));
-  float opticsFirst = opticsToEntry + jitterValue;
-  opticsFirst += max(ceil(-opticsFirst - 1e-4), 0.0);
-  g_rayJitter = g_dirStep * opticsFirst;
-  g_rayOrigin = ip_textureCoords + g_rayJitter;
-)***";
-
-const char* const LimitedLight =
-  "//VTK::Base::Exit\n  g_fragColor.rgb = min(g_fragColor.rgb, vec3(g_fragColor.a));\n";
+const char* const OwnedExtentName = "vtkOpticsOwnedExtent";
 
 bool IsEmpty(const int extent[6])
 {
@@ -49,22 +35,54 @@ struct VTKSampleDistance : vtkOpticsVolumeMapper
     return (mapper->*(&VTKSampleDistance::SpacingAdjustedSampleDistance))(spacing, extent);
   }
 };
-}
 
-//------------------------------------------------------------------------------
-bool DrawsPieces()
+// Of an image or a rectilinear grid.
+vtkSmartPointer<vtkDataSet> WithoutGhostLayers(vtkDataSet* block)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1;
+  vtkNew<vtkImageData> indices;
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(block))
+  {
+    indices->SetExtent(grid->GetExtent());
+  }
+  else
+  {
+    indices->SetExtent(vtkImageData::SafeDownCast(block)->GetExtent());
+  }
+  indices->GetCellData()->AddArray(block->GetCellGhostArray());
+  auto owned = vtk::TakeSmartPointer(block->NewInstance());
+  owned->ShallowCopy(block);
+  owned->Crop(volumeoptics::OwnedExtent(indices).data());
+  return owned;
 }
 
-//------------------------------------------------------------------------------
-void LimitLightToOpacity(vtkVolume* volume)
+// Of the marks of ghosts those that hide, so that VTK does not leave out what belongs to others.
+void KeepHidden(vtkDataSetAttributes* attributes)
 {
-  volume->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Base::Exit", true, LimitedLight, false);
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(attributes->GetArray(name));
+  if (!ghosts)
+  {
+    return;
+  }
+  const unsigned char hidden = attributes->IsA("vtkPointData")
+    ? static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT)
+    : static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->DeepCopy(ghosts);
+  bool hasHidden = false;
+  for (vtkIdType i = 0; i < marks->GetNumberOfValues(); ++i)
+  {
+    marks->SetValue(i, marks->GetValue(i) & hidden);
+    hasHidden = hasHidden || marks->GetValue(i) != 0;
+  }
+  attributes->RemoveArray(name);
+  if (hasHidden)
+  {
+    attributes->AddArray(marks);
+  }
 }
 
-//------------------------------------------------------------------------------
+// The distance of samples that VTK takes for the whole extent; its own follows the piece's.
 void TakeSampleDistanceOf(const int wholeExtent[6], vtkImageData* piece, vtkOpticsVolumeMapper* mapper)
 {
   if (IsEmpty(wholeExtent) || !mapper->GetLockSampleDistanceToInputSpacing())
@@ -78,24 +96,58 @@ void TakeSampleDistanceOf(const int wholeExtent[6], vtkImageData* piece, vtkOpti
   mapper->LockSampleDistanceToInputSpacingOff();
   mapper->SetSampleDistance(static_cast<float>(VTKSampleDistance::Find(mapper, spacing, extent)));
 }
+}
 
 //------------------------------------------------------------------------------
-void AlignSamples(const int wholeExtent[6], vtkImageData* piece, vtkVolume* volume)
+bool DrawsPieces()
 {
-  float least[3] = { 0.0f, 0.0f, 0.0f };
-  float greatest[3] = { 1.0f, 1.0f, 1.0f };
-  for (int axis = 0; piece && !IsEmpty(wholeExtent) && axis < 3; ++axis)
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> KeepGhostLayers(vtkImageData* image)
+{
+  auto piece = vtk::TakeSmartPointer(image->NewInstance());
+  piece->ShallowCopy(image);
+  vtkNew<vtkIntArray> extent;
+  extent->SetName(OwnedExtentName);
+  extent->SetNumberOfValues(6);
+  const volumeoptics::Extent owned = volumeoptics::OwnedExtent(image);
+  std::copy(owned.begin(), owned.end(), extent->GetPointer(0));
+  piece->GetFieldData()->AddArray(extent);
+  KeepHidden(piece->GetPointData());
+  KeepHidden(piece->GetCellData());
+  return piece;
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox KeepGhostLayersOfBlocks(vtkPartitionedDataSet* blocks)
+{
+  vtkBoundingBox bounds;
+  for (unsigned int i = 0; i < blocks->GetNumberOfPartitions(); ++i)
   {
-    const int* extent = piece->GetExtent() + 2 * axis;
-    const auto size = static_cast<float>(extent[1] - extent[0]);
-    if (size > 0.0f)
+    vtkDataSet* block = blocks->GetPartition(i);
+    vtkSmartPointer<vtkDataSet> drawn = block;
+    if (block && block->HasAnyGhostCells())
     {
-      least[axis] = static_cast<float>(wholeExtent[2 * axis] - extent[0]) / size;
-      greatest[axis] = static_cast<float>(wholeExtent[2 * axis + 1] - extent[0]) / size;
+      drawn = WithoutGhostLayers(block);
+      auto* image = vtkImageData::SafeDownCast(block);
+      blocks->SetPartition(i, image ? KeepGhostLayers(image).Get() : drawn.Get());
+    }
+    if (drawn && drawn->GetNumberOfPoints() > 0)
+    {
+      bounds.AddBounds(drawn->GetBounds());
     }
   }
-  vtkShaderProperty* shader = volume->GetShaderProperty();
-  shader->AddFragmentShaderReplacement("//VTK::Base::Init", true, AlignedSamples, false);
-  shader->GetFragmentCustomUniforms()->SetUniform3f("in_opticsWholeMin", least);
-  shader->GetFragmentCustomUniforms()->SetUniform3f("in_opticsWholeMax", greatest);
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+void DrawAsPiece(vtkImageData* piece, const int wholeExtent[6], vtkOpticsVolumeMapper* mapper)
+{
+  auto* owned = vtkIntArray::SafeDownCast(piece->GetFieldData()->GetArray(OwnedExtentName));
+  mapper->SetDrawnExtent(owned ? owned->GetPointer(0) : piece->GetExtent());
+  mapper->SetWholeExtent(wholeExtent);
+  TakeSampleDistanceOf(wholeExtent, piece, mapper);
 }

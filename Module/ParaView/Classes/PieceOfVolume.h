@@ -6,22 +6,23 @@
 #ifndef PieceOfVolume_h
 #define PieceOfVolume_h
 
+#include "vtkBoundingBox.h"
+#include "vtkSmartPointer.h"
+
 class vtkImageData;
 class vtkOpticsVolumeMapper;
-class vtkVolume;
+class vtkPartitionedDataSet;
 
 /** Whether each process draws a piece of its own. */
 bool DrawsPieces();
 
-/** The pictures of several processes are composited in bytes, without saturation: where one is brighter than it is
- * opaque, which light on volumes may be, sums would pass 255 and begin at 0 again. */
-void LimitLightToOpacity(vtkVolume* volume);
+/** A piece with its ghost layers, which nothing marks as such, and the extent of its own as field data. */
+vtkSmartPointer<vtkImageData> KeepGhostLayers(vtkImageData* image);
 
-/** The distance of samples that VTK takes for the whole extent; its own follows the piece's. */
-void TakeSampleDistanceOf(const int wholeExtent[6], vtkImageData* piece, vtkOpticsVolumeMapper* mapper);
+/** The same of each image among blocks, and the bounds of all without ghost layers. */
+vtkBoundingBox KeepGhostLayersOfBlocks(vtkPartitionedDataSet* blocks);
 
-/** Rays have their samples where those through the whole extent have them. A piece of null, or an empty extent:
- * as VTK, counted from where the ray enters what is drawn. */
-void AlignSamples(const int wholeExtent[6], vtkImageData* piece, vtkVolume* volume);
+/** Draws what is the piece's own, with the samples of the whole extent; where that is empty, with VTK's. */
+void DrawAsPiece(vtkImageData* piece, const int wholeExtent[6], vtkOpticsVolumeMapper* mapper);
 
 #endif

@@ -158,6 +158,15 @@ void vtkOpticsMultiBlockVolumeMapper::SetKnobs(vtkOpticsVolumeMapper* block)
 }
 
 //------------------------------------------------------------------------------
+int vtkOpticsMultiBlockVolumeMapper::GetGhostLayers(vtkVolumeProperty* property)
+{
+  vtkNew<vtkOpticsVolumeMapper> block;
+  block->SetOptics(this->Optics);
+  this->SetKnobs(block);
+  return block->GetGhostLayers(property);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsMultiBlockVolumeMapper::SelectScalars(vtkOpticsVolumeMapper* block)
 {
   block->SetScalarMode(this->ScalarMode);
@@ -237,7 +246,7 @@ void vtkOpticsMultiBlockVolumeMapper::AddBlock(vtkDataSet* data, vtkVolume* volu
   this->SetKnobs(block);
   if (auto* piece = vtkImageData::SafeDownCast(input); piece && DrawsPieces())
   {
-    TakeSampleDistanceOf(this->WholeExtent, piece, block);
+    DrawAsPiece(piece, this->WholeExtent, block);
   }
   this->Blocks.push_back(block);
 }
@@ -319,20 +328,11 @@ void vtkOpticsMultiBlockVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* v
     this->Loaded = input;
   }
   this->SortBlocks(renderer, volume);
-  const bool isPiece = DrawsPieces();
-  if (isPiece)
-  {
-    LimitLightToOpacity(volume);
-  }
   const bool isInteractive = renderer->GetRenderWindow()->GetDesiredUpdateRate() >= InteractiveUpdateRate;
   for (const Mapper& block : this->Blocks)
   {
     this->PassSettings(block);
     block->SetAutoAdjustSampleDistances(isInteractive);
-    if (isPiece)
-    {
-      AlignSamples(this->WholeExtent, vtkImageData::SafeDownCast(block->GetInput()), volume);
-    }
     block->Render(renderer, volume);
   }
 }

@@ -28,6 +28,7 @@ class vtkDataArray;
 class vtkDataSet;
 class vtkOpticsVolumeMapper;
 class vtkOpticsVolumeProperty;
+class vtkVolumeProperty;
 
 class VTKVOLUMEOPTICSPARAVIEW_EXPORT vtkOpticsMultiBlockVolumeMapper : public vtkMultiBlockVolumeMapper
 {
@@ -51,6 +52,11 @@ public:
    * those of one process lie. Default empty (0, -1, ...): each block's own.
    */
   void SetWholeExtent(const int extent[6]);
+
+  /**
+   * Ghost layers that a piece should have, by the optics, the knobs and a volume's property.
+   */
+  int GetGhostLayers(vtkVolumeProperty* property);
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

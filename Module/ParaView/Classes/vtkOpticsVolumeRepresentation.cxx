@@ -3,13 +3,25 @@
 
 #include "vtkOpticsVolumeRepresentation.h"
 
+#include "FloatCompositingPass.h"
+#include "PieceOfVolume.h"
+#include "PluginVersions.h"
 #include "vtkLightingTransferFunction.h"
 #include "vtkMultiSampleClassification.h"
 #include "vtkOpticsMultiBlockVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
+#include "vtkPVRenderView.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <array>
 #include <string>
@@ -150,11 +162,95 @@ void vtkOpticsVolumeRepresentation::UpdateMapperParameters()
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsVolumeRepresentation::AddToView(vtkView* view)
+{
+  const bool isAdded = this->Superclass::AddToView(view);
+  const std::string otherVersion = FindOtherVersion();
+  if (!otherVersion.empty())
+  {
+    vtkWarningMacro(<< otherVersion);
+  }
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (isAdded && renderView)
+  {
+    FloatCompositingPass::Ask(renderView->GetRenderer(), this);
+  }
+  return isAdded;
+}
+
+//------------------------------------------------------------------------------
+// The layers only grow, so that switching models does not make readers read again and again.
+int vtkOpticsVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
+{
+  if (request == vtkPVView::REQUEST_UPDATE() && DrawsPieces())
+  {
+    this->UpdateLightingTransferFunction();
+    this->UpdateMultiSampleClassification();
+    const int layers = this->GetBlocks()->GetGhostLayers(this->Property);
+    if (layers > this->GhostLayers)
+    {
+      this->GhostLayers = layers;
+      this->MarkModified();
+    }
+  }
+  return this->Superclass::ProcessViewRequest(request, input, output);
+}
+
+//------------------------------------------------------------------------------
+int vtkOpticsVolumeRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int result = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  const bool hasInput = inputs[0]->GetNumberOfInformationObjects() > 0;
+  if (DrawsPieces() && hasInput &&
+    !vtkRectilinearGrid::GetData(inputs[0], 0)) // ParaView draws those of a grid
+  {
+    inputs[0]->GetInformationObject(0)->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), this->GhostLayers);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// ParaView crops the ghost layers of an image, but not of blocks, and takes the place of the piece among the others
+// from what is left.
+int vtkOpticsVolumeRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int result = this->Superclass::RequestData(request, inputs, outputs);
+  if (!DrawsPieces() || inputs[0]->GetNumberOfInformationObjects() == 0)
+  {
+    return result;
+  }
+  if (vtkImageData* input = vtkImageData::GetData(inputs[0], 0))
+  {
+    if (input->HasAnyGhostCells())
+    {
+      vtkSmartPointer<vtkImageData> piece = KeepGhostLayers(input);
+      if (this->UseSeparateOpacityArray)
+      {
+        this->AppendOpacityComponent(piece);
+      }
+      this->Cache = piece;
+    }
+  }
+  else if (auto* blocks = vtkPartitionedDataSet::SafeDownCast(this->Cache))
+  {
+    KeepGhostLayersOfBlocks(blocks).GetBounds(this->DataBounds);
+    this->OutlineSource->SetBounds(this->DataBounds);
+    this->OutlineSource->Update();
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UseLightingTransferFunction: " << this->Light->IsUsed << "\n";
   os << indent << "LightingFile: " << this->Light->File << "\n";
   os << indent << "Lighting boundaries: " << this->Light->Boundaries.size() << "\n";
+  os << indent << "GhostLayers: " << this->GhostLayers << "\n";
   os << indent << "MultiSampleFile: " << this->Light->RulesFile << "\n";
 }

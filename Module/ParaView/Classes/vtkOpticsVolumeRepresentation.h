@@ -112,6 +112,12 @@ public:
   void SetVisibilityGridSize(int froxels);
   void SetVisibilitySamples(int directions);
   void SetVisibilityPrecision(int bits);
+  void SetVisibilityAlgorithm(int algorithm);
+  void SetVisibilityDiskSize(int size);
+  void SetVisibilityTrueDistances(bool on);
+  void SetVisibilitySliceDistance(double froxels);
+  void SetSkipEmptySpace(bool on);
+  void SetMacrocellSize(int voxels);
   void SetLinePrecision(int bits);
   ///@}
 
@@ -119,6 +125,11 @@ protected:
   vtkOpticsVolumeRepresentation();
   ~vtkOpticsVolumeRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void UpdateMapperParameters() override;
 
 private:
@@ -132,6 +143,7 @@ private:
 
   struct Lighting;
   std::unique_ptr<Lighting> Light;
+  int GhostLayers = 1; // that a piece is asked for
 };
 
 #endif
