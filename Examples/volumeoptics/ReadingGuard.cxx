@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sys/resource.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -27,6 +28,9 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr double Mebibyte = 1024.0 * 1024.0;
+constexpr double BytesOfReader = 1024.0 * Mebibyte;
+constexpr double BytesOfThread = 160.0 * Mebibyte; // its stack, and the address space of its allocator
+constexpr double BestCompression = 8192.0;         // LZMA of zeros; zlib has 1032
 constexpr int ExitCode = 1;
 constexpr std::size_t SignalStackBytes = 64 * 1024;
 
@@ -79,6 +83,21 @@ double BytesInUse()
   double pages = 0.0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+// The address space that reading a file may take. What is one file holds no more than the best compression,
+// and a copy of it, gives; others have data beside.
+double BytesToRead(const std::string& path)
+{
+  const std::string ending = fs::path(path).extension().string();
+  std::error_code error;
+  const auto size = static_cast<double>(fs::file_size(path, error));
+  if (error || ending == ".mhd" || ending == ".nhdr" || ending == ".dcm")
+  {
+    return BytesOfMemory();
+  }
+  const double threads = std::thread::hardware_concurrency() * BytesOfThread;
+  return std::min(BytesOfMemory(), BytesOfReader + threads + 2.0 * BestCompression * size);
 }
 
 UserError NotAGrid(const std::string& path, const std::string& what)
@@ -213,7 +232,7 @@ ReadingGuard::ReadingGuard(const std::string& path)
 
   getrlimit(RLIMIT_AS, &this->Before->Memory);
   rlimit memory = this->Before->Memory;
-  const double most = std::min(BytesInUse() + BytesOfMemory(), 9.0e18);
+  const double most = BytesInUse() + BytesToRead(path);
   memory.rlim_cur = std::min(memory.rlim_cur, static_cast<rlim_t>(most));
   setrlimit(RLIMIT_AS, &memory);
 }
