@@ -66,6 +66,7 @@ set(rendering_sources
   DataSpaceClassification
   DefaultOptics
   EmptySpaceTerm
+  FrameAbort
   FrameGeometry
   FrameProvider
   FrameTerm

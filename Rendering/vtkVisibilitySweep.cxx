@@ -3,6 +3,7 @@
 
 #include "vtkVisibilitySweep.h"
 
+#include "FrameAbort.h"
 #include "Optics.h"
 #include "ParameterRange.h"
 #include "SweepGrid.h"
@@ -26,6 +27,7 @@ namespace
 {
 const char* const AlgorithmNames[] = { "DirectionSweep", "Disk", "DiskSolidAngle" };
 const int LargestNumberOfDirections = 16;
+const int PartsOfSweep = 16; // between which a frame can be aborted
 
 // OpenGL reads columns.
 void SetMatrix(vtkShaderProgram* program, const char* name, const double matrix[16])
@@ -166,17 +168,17 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
   {
     return;
   }
-  this->Internals->Last = stamp;
   this->SetUniforms(volume, grid, program);
   this->SetGeometry(volume, grid, program);
   this->Internals->Target.Begin();
-  this->DrawSlices(grid, program);
+  const bool isWhole = this->DrawSlices(volume, grid, program);
   this->Internals->Target.End();
   if (volume.Geometry)
   {
     volume.Geometry->Deactivate();
   }
-  ++this->SweepCount;
+  this->SweepCount += isWhole ? 1 : 0;
+  this->Internals->Last = isWhole ? stamp : Implementation::Stamp();
 }
 
 //------------------------------------------------------------------------------
@@ -275,10 +277,16 @@ void vtkVisibilitySweep::SetDisk(vtkShaderProgram* program)
 }
 
 //------------------------------------------------------------------------------
-void vtkVisibilitySweep::DrawSlices(const SweepGrid& grid, vtkShaderProgram* program)
+// False: the frame was given up in between.
+bool vtkVisibilitySweep::DrawSlices(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program)
 {
+  const int slicesOfPart = (grid.GetSize()[2] + PartsOfSweep - 1) / PartsOfSweep;
   for (int slice = 0; slice < grid.GetSize()[2]; ++slice)
   {
+    if (slice % slicesOfPart == 0 && IsFrameAborted(volume.Window))
+    {
+      return false;
+    }
     const double depth = grid.GetDepth(slice);
     const double before = slice > 0 ? grid.GetDepth(slice - 1) : depth;
     const double reach = 0.5 * grid.GetSliceDistance();
@@ -292,6 +300,7 @@ void vtkVisibilitySweep::DrawSlices(const SweepGrid& grid, vtkShaderProgram* pro
     program->SetUniformf("in_sweepOtherWidth", static_cast<float>(grid.GetWidth(before)));
     this->Internals->Target.DrawSlice(slice, program);
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

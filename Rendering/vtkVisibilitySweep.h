@@ -170,7 +170,7 @@ private:
   void SetDirections(const double viewToData[16], double axis, vtkShaderProgram* program);
   void SetGeometry(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
   void SetDisk(vtkShaderProgram* program);
-  void DrawSlices(const SweepGrid& grid, vtkShaderProgram* program);
+  bool DrawSlices(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
 
   double ConeAngle = 60.0;
   int Algorithm = DirectionSweep;

@@ -183,8 +183,7 @@ std::string FaultOfNrrd(const std::string& path, double& bytes)
   const auto dataFile = fields.find("data file");
   const bool isDetached = dataFile != fields.end();
   // VTK's reader has no end, either, where the last line has none
-  const bool isEnded =
-    end != std::string::npos || (isDetached && !text.empty() && text.back() == '\n');
+  const bool isEnded = end != std::string::npos || (isDetached && !text.empty() && text.back() == '\n');
   if (!isEnded || text.substr(0, end).find('\0') != std::string::npos)
   {
     return "its header does not end";
@@ -203,8 +202,8 @@ std::string FaultOfNrrd(const std::string& path, double& bytes)
   const auto encoding = fields.find("encoding");
   const bool isRaw = encoding != fields.end() && encoding->second == "raw" && !isPattern;
   bytes = !isRaw ? std::numeric_limits<double>::infinity()
-    : isDetached ? BytesOf(files, fs::path(path).parent_path())
-                 : static_cast<double>(fs::file_size(path)) -
-      static_cast<double>(end + (text[end + 1] == '\r' ? 3 : 2));
+    : isDetached
+    ? BytesOf(files, fs::path(path).parent_path())
+    : static_cast<double>(fs::file_size(path)) - static_cast<double>(end + (text[end + 1] == '\r' ? 3 : 2));
   return fault.empty() ? FaultOfSizes(fields) : fault;
 }

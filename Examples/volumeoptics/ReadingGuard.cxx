@@ -148,11 +148,13 @@ void RequireGrid(const std::string& path, const int extent[6], double bytesOfPoi
   }
   if (points * bytesOfPoint > MostBytes())
   {
-    throw NotAGrid(path, "its " + size + " voxels need " +
+    throw NotAGrid(path,
+      "its " + size + " voxels need " +
         std::to_string(static_cast<long long>(points * bytesOfPoint / Mebibyte)) + " MiB, the limit is " +
         std::to_string(static_cast<long long>(MostBytes() / Mebibyte)) + " MiB, half of the memory");
   }
-  const bool isPlaced = AreFinite(spacing, 3) && AreFinite(origin, 3) && (!direction || AreFinite(direction, 9));
+  const bool isPlaced =
+    AreFinite(spacing, 3) && AreFinite(origin, 3) && (!direction || AreFinite(direction, 9));
   if (!isPlaced || !(spacing[0] > 0.0 && spacing[1] > 0.0 && spacing[2] > 0.0))
   {
     throw NotAGrid(path, "spacing, origin and direction must be finite, spacing above 0");
