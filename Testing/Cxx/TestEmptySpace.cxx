@@ -311,6 +311,39 @@ void TestConstantCells(Check& check)
     scene.Property->AddIsosurface(50.0, 0.8, 0.2, 0.1, 0.4);
   });
 }
+// Steps from air over a slab's front to its inside and out again: nothing is seen at any sample, in cells of one scalar,
+// and both faces are seen between them. Only steps up to the size of a cell may be skipped by their ends.
+void UseStepsOverSlab(TestScene& scene)
+{
+  UseType(scene, VTK_UNSIGNED_CHAR, 0.0);
+  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType y = i / 32 % 32;
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, y >= 8 && y < 16 ? 90.0 : 20.0);
+  }
+  scene.Optics->SetMacrocellSize(2);
+  scene.Mapper->SetSampleDistance(static_cast<float>(12.0 * image->GetSpacing()[1])); // voxels 0, 12, 24
+  SetOpacities(scene, { { 40.0, 0.0 }, { 50.0, 0.9 }, { 60.0, 0.0 } });
+  scene.Property->SetIntegrationSpaceToData();
+  scene.Property->SetClassificationToPreIntegrated(); // of the scalars between two samples
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, -3.0, 0.0);
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(0.7); // the front face alone
+  scene.Renderer->ResetCameraClippingRange();
+}
+
+void TestStepsOverSlab(Check& check)
+{
+  SkippingScene air;
+  air.Optics->SkipEmptySpaceOff();
+  UseStepsOverSlab(air);
+  const std::vector<unsigned char> seen = air.Render();
+  SetOpacities(air, { { 0.0, 0.0 } });
+  check.AtLeast("difference that the slab makes", LargestDifference(seen, air.Render()), 20);
+  CompareWithout(check, "steps over a slab", UseStepsOverSlab);
+}
 }
 
 int TestEmptySpace(int argc, char* argv[])
@@ -337,6 +370,7 @@ int TestEmptySpace(int argc, char* argv[])
   {
     TestIntegralInScenes(check);
     TestConstantCells(check);
+    TestStepsOverSlab(check);
   }
   else
   {

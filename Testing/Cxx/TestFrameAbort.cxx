@@ -178,7 +178,8 @@ int TestFrameAbort(int, char*[])
     { "adjusted distances", [](TestScene& scene) { scene.Mapper->SetAutoAdjustSampleDistances(1); } },
     { "skipping", [](TestScene& scene) { scene.Optics->SkipEmptySpaceOn(); } },
     { "half a viewport", [](TestScene& scene) { scene.Renderer->SetViewport(0.5, 0.2, 1.0, 0.9); } },
-    { "camera inside", [](TestScene& scene) { scene.Renderer->GetActiveCamera()->SetPosition(0.0, -0.7, 0.1); } },
+    { "camera inside",
+      [](TestScene& scene) { scene.Renderer->GetActiveCamera()->SetPosition(0.0, -0.7, 0.1); } },
   };
   for (const auto& [name, change] : scenes)
   {
