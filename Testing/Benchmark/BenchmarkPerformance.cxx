@@ -100,8 +100,8 @@ void PrintHead()
 void PrintScene(const ContestScene& scene, const Options& options)
 {
   Contestants all;
-  all.push_back(std::make_unique<Contestant>(
-    "stock", scene, vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New()));
+  all.push_back(
+    std::make_unique<Contestant>("stock", scene, vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New()));
   for (const Term& term : Terms)
   {
     vtkNew<vtkOpticsVolumeMapper> mapper;
@@ -165,8 +165,9 @@ void PrintLines(const Options& options)
   all.push_back(std::make_unique<Contestant>("evaluated", evaluated, options.Size));
   all.push_back(std::make_unique<Contestant>("drawn", drawn, options.Size));
   DrawInTurns(all, options.Frames);
-  std::printf("\n| segments | tubes, ms | evaluated voxels, VTK's mapper, ms | our mapper over tubes | over VTK's "
-              "mapper |\n| --- | --- | --- | --- | --- |\n| %d | %.0f | %.0f | %.2f | %.2f |\n",
+  std::printf(
+    "\n| segments | tubes, ms | evaluated voxels, VTK's mapper, ms | our mapper over tubes | over VTK's "
+    "mapper |\n| --- | --- | --- | --- | --- |\n| %d | %.0f | %.0f | %.2f | %.2f |\n",
     options.Segments, 1000.0 * all[0]->GetProcessorSeconds(), 1000.0 * all[1]->GetProcessorSeconds(),
     all[2]->GetRatio(*all[0]), all[2]->GetRatio(*all[1]));
 }

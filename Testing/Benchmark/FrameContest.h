@@ -73,7 +73,8 @@ class Contestant
 public:
   using Change = std::function<void(vtkOpticsVolumeProperty*)>;
 
-  Contestant(std::string name, const ContestScene& scene, vtkGPUVolumeRayCastMapper* mapper,
+  Contestant(
+    std::string name, const ContestScene& scene, vtkGPUVolumeRayCastMapper* mapper,
     const Change& change = [](vtkOpticsVolumeProperty*) {})
     : Name(std::move(name))
   {
