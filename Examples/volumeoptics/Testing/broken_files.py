@@ -5,6 +5,7 @@
 such files, must end in one line of error, exit code 1 and no output file; good ones of the same making in 0.
 
 --every    all subcommands for each file; otherwise all for the first file of a format, and one in turn after.
+--format   files of one format.
 """
 
 import argparse
@@ -253,13 +254,19 @@ def main():
     parser.add_argument("program")
     parser.add_argument("blob")
     parser.add_argument("--every", action="store_true")
+    parser.add_argument("--format", default="", help="only files whose names contain this text")
     options = parser.parse_args()
     options.blob = os.path.abspath(options.blob)
     judge = Judge(options.program)
     voxels = make_voxels(judge, options.blob)
-    for name, content in {**files.good_files(), "voxels.vti": voxels}.items():
+    good = {**files.good_files(), "voxels.vti": voxels}
+    for name, content in good.items():
+        if options.format not in name:
+            continue
         judge.expect(0, "good", name, content, commands_for(name, options.blob)[0])
     for name, cases in all_cases(voxels):
+        if options.format not in name:
+            continue
         commands = commands_for(name, options.blob)
         for number, (title, content) in enumerate(cases):
             chosen = commands if options.every or number == 0 else [commands[number % len(commands)]]
