@@ -126,7 +126,7 @@ int main(int argc, char** argv)
       CompareModels(scene, options);
     }
   }
-  for (const double share : { 0.05, 0.12, 0.2, 0.32, 0.45 })
+  for (const double share : { 0.27, 0.36, 0.5, 0.85 })
   {
     for (const bool isScattered : { true, false })
     {
