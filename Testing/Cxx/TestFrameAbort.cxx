@@ -53,7 +53,7 @@ std::size_t CountDifferent(const std::vector<unsigned char>& a, const std::vecto
 std::vector<unsigned char> Background(TestScene& scene)
 {
   scene.Volume->VisibilityOff();
-  const std::vector<unsigned char> background = scene.Render();
+  std::vector<unsigned char> background = scene.Render();
   scene.Volume->VisibilityOn();
   return background;
 }
