@@ -21,6 +21,9 @@ namespace volumeoptics
 {
 namespace
 {
+// Far above what memory holds; sums and products of it are no overflow.
+constexpr vtkTypeInt64 MostEntries = vtkTypeInt64(1) << 56;
+
 std::string NameOf(int type, const char* part)
 {
   return "LineType" + std::to_string(type) + "_" + part;
@@ -86,6 +89,12 @@ void WriteType(const LineTypeBricks& bricks, vtkImageData* image)
   }
   auto* range = AddArray<vtkDoubleArray>(image, NameOf(type, "ColorRange"), 6)->GetPointer(0);
   std::copy(bricks.ColorRange.begin(), bricks.ColorRange.end(), range);
+}
+
+// Begins of runs, and their end: from 0, ascending.
+bool AreStarts(const vtkTypeInt64* starts, vtkIdType count)
+{
+  return starts[0] == 0 && std::is_sorted(starts, starts + count + 1);
 }
 
 // Ten of each light.
@@ -164,7 +173,7 @@ LineVoxels::LineVoxels(vtkImageData* image, std::string& error)
 {
   error = this->ReadGrid(image);
   vtkDataArray* types = image->GetFieldData()->GetArray("LineTypes");
-  for (vtkIdType i = 0; error.empty() && types && i < types->GetNumberOfValues(); ++i)
+  for (vtkIdType i = 0; error.empty() && types && i < types->GetNumberOfTuples(); ++i)
   {
     error = this->ReadType(image, static_cast<int>(types->GetComponent(i, 0)));
   }
@@ -188,9 +197,13 @@ std::string LineVoxels::ReadGrid(vtkImageData* image)
     this->Grid.Corner[axis] = image->GetOrigin()[axis];
     this->Grid.Voxel[axis] = image->GetSpacing()[axis] / std::max(brick[axis], 1);
   }
-  const bool isRight = glm::all(glm::greaterThan(this->Grid.Brick, glm::ivec3(0))) &&
-    glm::all(glm::greaterThan(this->Grid.Dimensions, glm::ivec3(0))) && this->Grid.VoxelsOfBrick() <= 65536 &&
-    *order >= 0 && *order <= 12 && indices->GetNumberOfValues() == this->Grid.NumberOfBricks();
+  const auto isIn = [](const glm::ivec3& lengths, int largest) {
+    return glm::all(glm::greaterThan(lengths, glm::ivec3(0))) &&
+      glm::all(glm::lessThanEqual(lengths, glm::ivec3(largest)));
+  };
+  const bool isRight = isIn(this->Grid.Brick, 1024) && isIn(this->Grid.Dimensions, 1 << 20) &&
+    this->Grid.VoxelsOfBrick() <= 65536 && *order >= 0 && *order <= 12 &&
+    indices->GetNumberOfValues() == this->Grid.NumberOfBricks();
   if (!isRight)
   {
     return "its bricks do not fit its SampleDimensions, or MaximumOrder is not in [0, 12]";
@@ -209,16 +222,18 @@ std::string LineVoxels::ReadType(vtkImageData* image, int type)
   std::string broken = "the arrays of line type " + std::to_string(type) + " do not fit each other";
   const vtkIdType bricks = this->NumberOfOccupiedBricks;
   set.BrickStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "BrickStarts"), VTK_TYPE_INT64, bricks + 1);
-  const vtkIdType voxels = set.BrickStarts ? set.BrickStarts[bricks] : 0;
-  set.NumberOfVoxels = voxels;
-  set.VoxelStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "VoxelStarts"), VTK_TYPE_INT64, voxels + 1);
-  if (!set.BrickStarts || !set.VoxelStarts ||
-    !std::is_sorted(set.BrickStarts, set.BrickStarts + bricks + 1) ||
-    !std::is_sorted(set.VoxelStarts, set.VoxelStarts + voxels + 1))
+  if (!set.BrickStarts || !AreStarts(set.BrickStarts, bricks))
   {
     return broken;
   }
-  const vtkIdType count = set.VoxelStarts[voxels];
+  const vtkIdType voxels = std::min(set.BrickStarts[bricks], MostEntries); // more are in no array
+  set.NumberOfVoxels = voxels;
+  set.VoxelStarts = Pointer<vtkTypeInt64>(image, NameOf(type, "VoxelStarts"), VTK_TYPE_INT64, voxels + 1);
+  if (!set.VoxelStarts || !AreStarts(set.VoxelStarts, voxels))
+  {
+    return broken;
+  }
+  const vtkIdType count = std::min(set.VoxelStarts[voxels], MostEntries);
   vtkDataArray* values = image->GetFieldData()->GetArray(NameOf(type, "Coefficients").c_str());
   if (values && values->GetNumberOfComponents() != LineChannels)
   {

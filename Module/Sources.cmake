@@ -67,6 +67,7 @@ set(rendering_sources
   DataSpaceClassification
   DefaultOptics
   EmptySpaceTerm
+  FrameAbort
   FrameGeometry
   FrameProvider
   FrameTerm

@@ -5,6 +5,7 @@
 
 #include "vtkOpticsVolumeMapper.h"
 
+#include "InteractionQuality.h"
 #include "ParameterRange.h"
 #include "QualityPresets.h"
 #include "vtkAmbientCovarianceFilter.h"
@@ -213,7 +214,24 @@ void vtkOpticsVolumeMapper::SetSampleDistance(float distance)
 }
 
 //------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::UpdateSampleDistance(vtkRenderer* renderer)
+// The time of a frame goes with the number of steps. VTK measures it: SmallTimeToDraw is that of the last frame of an
+// interaction, BigTimeToDraw of the last still one.
+void vtkOpticsVolumeMapper::UpdateCoarseness(vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (this->Quality == Custom || !this->IsInteractive(renderer))
+  {
+    this->Coarseness = 1;
+    return;
+  }
+  const double full =
+    this->SmallTimeToDraw > 0.0 ? this->SmallTimeToDraw * this->LastCoarseness : this->BigTimeToDraw;
+  this->Coarseness =
+    volumeoptics::CoarsenessFor(full, volume->GetAllocatedRenderTime(), this->LastCoarseness);
+  this->LastCoarseness = this->Coarseness;
+}
+
+//------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::UpdateSampleDistance()
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataSetInput());
   if (this->StepInVoxels <= 0.0 || !image)
@@ -223,9 +241,8 @@ void vtkOpticsVolumeMapper::UpdateSampleDistance(vtkRenderer* renderer)
   double spacing[3];
   this->GetVoxelSpacing(spacing);
   const double smallest = std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
-  const double slack = this->IsInteractive(renderer) ? 2.0 : 1.0;
   this->SetAutoAdjustSampleDistances(0);
-  this->Superclass::SetSampleDistance(static_cast<float>(this->StepInVoxels * slack * smallest));
+  this->Superclass::SetSampleDistance(static_cast<float>(this->StepInVoxels * this->Coarseness * smallest));
 }
 
 //------------------------------------------------------------------------------

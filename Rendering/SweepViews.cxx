@@ -131,10 +131,9 @@ void VolumeCorners(const OpticsScene& scene, double corners[24])
 SweepGrid::Resolution SweepResolution(const OpticsScene& scene)
 {
   // presets are coarser while the user interacts, as their steps are
-  const bool isCoarse = scene.Mapper->GetQuality() != vtkOpticsVolumeMapper::Custom &&
-    scene.Mapper->IsInteractive(scene.Renderer);
+  const int coarseness = scene.Mapper->GetCoarseness();
   const int size = scene.Mapper->GetVisibilityGridSize();
-  return { isCoarse ? (size + 1) / 2 : size, scene.Mapper->GetVisibilitySliceDistance(),
+  return { (size + coarseness - 1) / coarseness, scene.Mapper->GetVisibilitySliceDistance(),
     vtkTextureObject::GetMaximumTextureSize3D(scene.Window) };
 }
 

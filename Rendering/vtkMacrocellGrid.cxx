@@ -19,7 +19,8 @@ vtkStandardNewMacro(vtkMacrocellGrid);
 
 namespace
 {
-const int NumberOfBatches = 25; // progress is told between two of them
+const int MostBatches = 25; // progress is told between two of them
+const int LeastBatches = 4;
 }
 
 //------------------------------------------------------------------------------
@@ -105,6 +106,7 @@ bool vtkMacrocellGrid::Update()
   this->NonFinite.assign(cells, 0);
   this->Distances.assign(cells, 0);
   this->EmptyFraction = 0.0;
+  this->DeepEmptyFraction = 0.0;
   if (!isUsable)
   {
     vtkErrorMacro(<< "There are no scalars of dimensions " << this->Dimensions[0] << " x "
@@ -142,7 +144,10 @@ void FindLayers(const volumeoptics::MacrocellLayer<Scalar>& layers, vtkIdType be
 void vtkMacrocellGrid::FindRanges()
 {
   const vtkIdType layers = this->GridSize[2];
-  const vtkIdType batch = std::max<vtkIdType>(layers / NumberOfBatches, 2);
+  // a layer for each thread, while there are some batches left to tell progress between
+  const vtkIdType threads =
+    std::min<vtkIdType>(vtkSMPTools::GetEstimatedNumberOfThreads(), layers / LeastBatches);
+  const vtkIdType batch = std::max({ layers / MostBatches, threads, vtkIdType(1) });
   const int components = this->Scalars->GetNumberOfComponents();
   for (vtkIdType begin = 0; begin < layers; begin += batch)
   {
@@ -178,8 +183,12 @@ void vtkMacrocellGrid::Classify(const VisibleScalars& visible, const VisibleScal
     }
     empty += count;
   });
-  this->EmptyFraction = this->Lowest.empty() ? 0.0 : static_cast<double>(empty) / this->Lowest.size();
   volumeoptics::FindMacrocellDistances(this->GridSize, this->Distances);
+  const auto deep = std::count_if(
+    this->Distances.begin(), this->Distances.end(), [](unsigned char distance) { return distance > 1; });
+  const double cells = std::max<double>(static_cast<double>(this->Lowest.size()), 1.0);
+  this->EmptyFraction = static_cast<double>(empty) / cells;
+  this->DeepEmptyFraction = static_cast<double>(deep) / cells;
   this->ClassifyTime.Modified();
 }
 
@@ -195,5 +204,6 @@ void vtkMacrocellGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GridSize: " << this->GridSize[0] << " " << this->GridSize[1] << " " << this->GridSize[2]
      << "\n";
   os << indent << "EmptyFraction: " << this->EmptyFraction << "\n";
+  os << indent << "DeepEmptyFraction: " << this->DeepEmptyFraction << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
 }

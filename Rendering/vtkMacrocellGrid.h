@@ -88,6 +88,9 @@ public:
   /** Part of the cells that are empty, in [0, 1], after Classify(). */
   vtkGetMacro(EmptyFraction, double);
 
+  /** Part of the cells that are empty with all cells around them, in [0, 1], after Classify(). */
+  vtkGetMacro(DeepEmptyFraction, double);
+
   /** Bytes of ranges and distances. */
   std::size_t GetMemorySize();
 
@@ -134,6 +137,7 @@ private:
   std::vector<unsigned char> NonFinite;
   std::vector<unsigned char> Distances;
   double EmptyFraction = 0.0;
+  double DeepEmptyFraction = 0.0;
   vtkTimeStamp UpdateTime;
   vtkTimeStamp ClassifyTime;
 };

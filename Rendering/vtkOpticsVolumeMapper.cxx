@@ -5,6 +5,7 @@
 
 #include "DefaultOptics.h"
 #include "EmptySpaceTerm.h"
+#include "FrameAbort.h"
 #include "FrameTerm.h"
 #include "IntegrationTerm.h"
 #include "LightUniforms.h"
@@ -80,6 +81,7 @@ public:
   vtkNew<vtkOpticsShaderPass> Pass;
   vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
   vtkWeakPointer<vtkRenderWindow> LastWindow;
+  std::unique_ptr<ScissorScope> Scissor; // of a frame that can be aborted
   std::set<std::string> Said;
   std::string ActiveTerms;
 };
@@ -168,7 +170,8 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->Terms->LeaveOtherWindow(this, renderer->GetRenderWindow());
   renderer->GetRenderWindow()->MakeCurrent();
-  this->UpdateSampleDistance(renderer);
+  this->UpdateCoarseness(renderer, volume);
+  this->UpdateSampleDistance();
   const LightLimit limit(renderer);
   if (limit.GetNumberOfLightsLeftOut() > 0)
   {
@@ -185,7 +188,7 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
   }
   if (active.empty())
   {
-    this->Superclass::GPURender(renderer, volume);
+    this->Draw(renderer, volume, false);
     return;
   }
   // before the first frame it is not known whether there are any
@@ -196,21 +199,22 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
       scene, active, [this, renderer, volume]() { this->Superclass::GPURender(renderer, volume); });
   }
   this->Terms->Pass->Attach(scene, active);
-  if (hasLines)
-  {
-    this->RenderLines(renderer, volume);
-  }
-  else
-  {
-    this->Superclass::GPURender(renderer, volume);
-  }
+  this->Draw(renderer, volume, hasLines);
   this->Terms->Pass->Detach();
 }
 
 //------------------------------------------------------------------------------
-// VTK would take its sample distance from the bricks, which are the image's cells.
-void vtkOpticsVolumeMapper::RenderLines(vtkRenderer* renderer, vtkVolume* volume)
+// VTK would take its sample distance from the bricks of lines, which are the image's cells; and it would adjust it
+// again for each part of a frame that can be given up.
+void vtkOpticsVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume, bool hasLines)
 {
+  const bool isAdjustedOnce = CanFrameBeAborted(renderer->GetRenderWindow()) &&
+    this->AutoAdjustSampleDistances && vtkImageData::SafeDownCast(this->GetDataSetInput());
+  if (!hasLines && !isAdjustedOnce)
+  {
+    this->DrawInParts(renderer, volume);
+    return;
+  }
   this->ComputeReductionFactor(volume->GetAllocatedRenderTime());
   const double reduction = this->ReductionFactor;
   const auto distance = static_cast<float>(this->GetFrameSampleDistance(volume));
@@ -220,11 +224,39 @@ void vtkOpticsVolumeMapper::RenderLines(vtkRenderer* renderer, vtkVolume* volume
   this->AutoAdjustSampleDistances = 0;
   this->LockSampleDistanceToInputSpacing = 0;
   this->SampleDistance = distance;
-  this->Superclass::GPURender(renderer, volume);
+  this->DrawInParts(renderer, volume);
   this->AutoAdjustSampleDistances = isAdjusted;
   this->LockSampleDistanceToInputSpacing = isLocked;
   this->SampleDistance = own;
   this->ReductionFactor = reduction;
+}
+
+//------------------------------------------------------------------------------
+// So that a frame can be given up while it is drawn. Where VTK draws on a target of its own, and where it would load
+// the volume's blocks again for each part, it is one part.
+void vtkOpticsVolumeMapper::DrawInParts(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  if (!CanFrameBeAborted(window))
+  {
+    this->Superclass::GPURender(renderer, volume);
+    return;
+  }
+  this->Terms->Scissor = std::make_unique<ScissorScope>(window);
+  const bool isOnePart = this->ImageSampleDistance != 1.0F || this->AutoAdjustSampleDistances ||
+    this->RenderToImage || this->UseDepthPass || renderer->GetSelector() || this->HasPartitions();
+  const auto tiles =
+    isOnePart ? std::vector<ScissorScope::Rectangle>() : this->Terms->Scissor->Tiles(renderer, volume);
+  if (isOnePart)
+  {
+    this->Superclass::GPURender(renderer, volume);
+  }
+  for (std::size_t i = 0; i < tiles.size() && !IsFrameAborted(window); ++i)
+  {
+    this->Terms->Scissor->Restrict(tiles[i]);
+    this->Superclass::GPURender(renderer, volume);
+  }
+  this->Terms->Scissor.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -233,7 +265,13 @@ void vtkOpticsVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const std::string missing = this->FindMissing();
   if (missing.empty())
   {
+    const double times[2] = { this->BigTimeToDraw, this->SmallTimeToDraw };
     this->Superclass::Render(renderer, volume);
+    if (renderer->GetRenderWindow()->GetAbortRender())
+    {
+      this->BigTimeToDraw = times[0]; // a part of a frame says nothing of the whole
+      this->SmallTimeToDraw = times[1];
+    }
   }
   else if (this->Terms->Said.insert(missing).second)
   {
@@ -426,12 +464,12 @@ void vtkOpticsVolumeMapper::Say(const std::string& message)
 bool vtkOpticsVolumeMapper::IsInteractive(vtkRenderer* renderer)
 {
   vtkRenderWindowInteractor* interactor = renderer->GetRenderWindow()->GetInteractor();
+  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
   if (!interactor || !interactor->GetInteractorStyle())
   {
-    return false;
+    return !interactor && rate >= SlowestInteraction;
   }
   // still frames of ParaView have a rate of their own, above the interactor's
-  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
   return rate > interactor->GetStillUpdateRate() &&
     rate >= std::min(interactor->GetDesiredUpdateRate(), SlowestInteraction);
 }
@@ -491,6 +529,10 @@ void vtkOpticsVolumeMapper::GetAverageIPScalarRange(double range[2])
 {
   this->Superclass::GetAverageIPScalarRange(range);
   this->Terms->Pass->BeforeDraw();
+  if (this->Terms->Scissor && IsFrameAborted(this->Terms->LastWindow))
+  {
+    this->Terms->Scissor->Restrict({ 0, 0, 0, 0 }); // neither this block nor those after it
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -363,8 +363,11 @@ public:
    * Presets of the knobs above, of the filters' and of the sample distance: points on the measured
    * curves of time against error (docs/accuracy.md). Custom, the default, leaves them as they are,
    * VTK's sample distance included; setting a knob after a preset keeps the others. The presets' steps
-   * are 1, 1/2 and 1/4 of the image's smallest spacing, twice as long while the user interacts; a scale
-   * by the volume's matrix does not count.
+   * are 1, 1/2 and 1/4 of the image's smallest spacing; a scale by the volume's matrix does not count.
+   * While the user interacts (the window's DesiredUpdateRate is above the interactor's still rate, or at least
+   * 1 without an interactor), steps and the cells of VisibilityGridSize are one, two or four times as
+   * long: the finest that the last frame's time lets fit into the volume's AllocatedRenderTime. No
+   * shader program is linked for it.
    */
   enum QualityType
   {
@@ -411,7 +414,14 @@ public:
   /** Fragment shader composed last with active terms; empty before. For inspection and tests. */
   std::string GetFragmentShader();
 
-  /** Draws the volume; where it has no scalars, one error tells what to do. */
+  /**
+   * Draws the volume; where it has no scalars, one error tells what to do. Where somebody observes
+   * AbortCheckEvent of the window, he is asked between parts of the frame: slices of a sweep, blocks of a
+   * volume in several blocks, else sixteen tiles of the picture. After SetAbortRender() of the window the
+   * rest of the frame is left as it is, and the next frame is whole. In one part are picking, RenderToImage, depth
+   * passes and image sample distances other than 1, and the parts of frames of several volumes with
+   * adjusted sample distances.
+   */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -424,6 +434,10 @@ public:
   // For the terms.
   void Say(const std::string& message); // as a warning, once
   bool IsInteractive(vtkRenderer* renderer);
+  int GetCoarseness() const
+  {
+    return this->Coarseness;
+  } // 1, 2 or 4 times as coarse as the preset
   void GetLoadedScalarRange(int component, double range[2]);
   bool HasPartitions();                             // of the loaded volume
   double GetFrameSampleDistance(vtkVolume* volume); // whatever VTK adjusts it to
@@ -443,8 +457,10 @@ private:
   vtkOpticsVolumeMapper(const vtkOpticsVolumeMapper&) = delete;
   void operator=(const vtkOpticsVolumeMapper&) = delete;
 
-  void UpdateSampleDistance(vtkRenderer* renderer);
-  void RenderLines(vtkRenderer* renderer, vtkVolume* volume);
+  void UpdateCoarseness(vtkRenderer* renderer, vtkVolume* volume);
+  void UpdateSampleDistance();
+  void Draw(vtkRenderer* renderer, vtkVolume* volume, bool hasLines);
+  void DrawInParts(vtkRenderer* renderer, vtkVolume* volume);
   void GetVoxelSpacing(double spacing[3]);
   std::string FindMissing();
 
@@ -468,6 +484,8 @@ private:
   std::map<int, double> LineRadiusScales, LineOpacityScales;
   vtkSmartPointer<vtkPiecewiseFunction> LineOpacityFunction;
   int Quality = Custom;
+  int Coarseness = 1;
+  int LastCoarseness = 2; // while the user interacts
   bool SkipEmptySpace = true;
   int MacrocellSize = 8;
   int DrawnExtent[6] = { 0, -1, 0, -1, 0, -1 };

@@ -3,6 +3,7 @@
 
 #include "vtkVisibilitySweep.h"
 
+#include "FrameAbort.h"
 #include "Optics.h"
 #include "ParameterRange.h"
 #include "SweepGrid.h"
@@ -26,6 +27,7 @@ namespace
 {
 const char* const AlgorithmNames[] = { "DirectionSweep", "Disk", "DiskSolidAngle" };
 const int LargestNumberOfDirections = 16;
+const int PartsOfSweep = 16; // between which a frame can be aborted
 
 // OpenGL reads columns.
 void SetMatrix(vtkShaderProgram* program, const char* name, const double matrix[16])
@@ -66,7 +68,9 @@ public:
     }
   };
 
-  void DrawSlices(const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program);
+  // False: the frame was given up in between.
+  bool DrawSlices(vtkOpenGLRenderWindow* window, const SweepGrid& grid, SweepTarget& target,
+    vtkShaderProgram* program);
 
   SweepProgram Program;
   SweepTarget Target;
@@ -78,12 +82,20 @@ public:
 };
 
 //------------------------------------------------------------------------------
-void vtkVisibilitySweep::Implementation::DrawSlices(
-  const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program)
+bool vtkVisibilitySweep::Implementation::DrawSlices(
+  vtkOpenGLRenderWindow* window, const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program)
 {
+  const int slices = grid.GetSize()[2];
+  const int slicesOfPart = (slices + PartsOfSweep - 1) / PartsOfSweep;
+  bool isWanted = true;
   target.Begin();
-  for (int slice = 0; slice < grid.GetSize()[2]; ++slice)
+  for (int slice = 0; slice < slices; ++slice)
   {
+    isWanted = slice % slicesOfPart != 0 || !IsFrameAborted(window);
+    if (!isWanted)
+    {
+      break;
+    }
     const double depth = grid.GetDepth(slice);
     const double before = slice > 0 ? grid.GetDepth(slice - 1) : depth;
     const double reach = 0.5 * grid.GetSliceDistance();
@@ -99,6 +111,7 @@ void vtkVisibilitySweep::Implementation::DrawSlices(
     target.DrawSlice(slice, program);
   }
   target.End();
+  return isWanted;
 }
 
 //------------------------------------------------------------------------------
@@ -206,7 +219,7 @@ bool vtkVisibilitySweep::FillBlock(const Volume& volume, const SweepGrid& grid)
   {
     this->SetUniforms(volume, grid, program);
     program->SetUniformi("in_sweepBlock", volume.Block);
-    this->Internals->DrawSlices(grid, opacity, program);
+    this->Internals->DrawSlices(volume.Window, grid, opacity, program);
     this->Internals->OpacityTime.Modified();
   }
   volume.Window->GetShaderCache()->ReadyShaderProgram(volume.Ray);
@@ -223,7 +236,6 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
   {
     return;
   }
-  this->Internals->Last = stamp;
   this->SetUniforms(volume, grid, program);
   this->SetGeometry(volume, grid, program);
   TermTexture& opacity = this->Internals->Opacity.GetVisibility();
@@ -231,13 +243,14 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
   {
     opacity.Bind("in_sweepOpacity", program);
   }
-  this->Internals->DrawSlices(grid, this->Internals->Target, program);
+  const bool isWhole = this->Internals->DrawSlices(volume.Window, grid, this->Internals->Target, program);
   opacity.Unbind();
   if (volume.Geometry)
   {
     volume.Geometry->Deactivate();
   }
-  ++this->SweepCount;
+  this->SweepCount += isWhole ? 1 : 0;
+  this->Internals->Last = isWhole ? stamp : Implementation::Stamp();
 }
 
 //------------------------------------------------------------------------------

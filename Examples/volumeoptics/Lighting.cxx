@@ -3,6 +3,8 @@
 
 #include "Lighting.h"
 
+#include "OutputFile.h"
+#include "ReadingGuard.h"
 #include "UserError.h"
 
 #include "vtkGradientAlignedHistogram.h"
@@ -23,14 +25,6 @@
 
 namespace
 {
-// The message of a VTK error, without the place in the source.
-std::string Message(const std::string& error)
-{
-  const std::size_t start = error.find("): ");
-  const std::string text = start == std::string::npos ? error : error.substr(start + 3);
-  return text.substr(0, text.find_last_not_of('\n') + 1);
-}
-
 // Turns an object's errors into one text instead of output.
 class Errors
 {
@@ -40,7 +34,7 @@ public:
     vtkNew<vtkCallbackCommand> command;
     command->SetClientData(&this->Text);
     command->SetCallback([](vtkObject*, unsigned long, void* text, void* message) {
-      *static_cast<std::string*>(text) += Message(static_cast<const char*>(message));
+      *static_cast<std::string*>(text) += LastLine(static_cast<const char*>(message));
     });
     object->AddObserver(vtkCommand::ErrorEvent, command);
   }
@@ -51,11 +45,12 @@ public:
 
 std::string ReadLighting(const std::string& path)
 {
+  const ReadingGuard guard(path);
   const vtkNew<vtkLightingTransferFunction> function;
   const Errors errors(function);
   if (!function->ReadJson(path.c_str()))
   {
-    throw UserError(errors.Text + " The format is in docs/lighting-transfer-function.md.");
+    throw UserError(errors.Text + ". The format is in docs/lighting-transfer-function.md.");
   }
   return function->WriteJsonString();
 }
@@ -65,10 +60,7 @@ void WriteLighting(vtkLightingTransferFunction* function, const std::string& pat
   const vtkNew<vtkLightingTransferFunction> copy;
   const Errors errors(copy);
   copy->ShallowCopy(function);
-  if (!copy->WriteJson(path.c_str()))
-  {
-    throw UserError(errors.Text);
-  }
+  WriteFile(path, [&](const std::string& temporary) { return copy->WriteJson(temporary.c_str()); });
 }
 
 void Apply(const LightingSettings& lighting, vtkOpticsVolumeProperty* property)

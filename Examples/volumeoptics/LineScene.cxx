@@ -22,6 +22,8 @@
 
 namespace
 {
+constexpr int NumbersOfLight = 10;
+
 void SetUpGrid(int grid, const double bounds[6], vtkAnisotropicLineVoxelizer* voxelizer)
 {
   double longest = 0.0;
@@ -154,7 +156,8 @@ void LineScene::LightAs(vtkImageData* voxels)
   vtkRenderer* renderer = this->Scene->GetRenderer();
   renderer->RemoveAllLights();
   vtkDataArray* lights = voxels->GetFieldData()->GetArray("LineLights");
-  for (vtkIdType i = 0; lights && i < lights->GetNumberOfTuples(); ++i)
+  const bool isComplete = lights && lights->GetNumberOfComponents() == NumbersOfLight;
+  for (vtkIdType i = 0; isComplete && i < lights->GetNumberOfTuples(); ++i)
   {
     renderer->AddLight(ReadLight(lights->GetTuple(i)));
   }

@@ -5,26 +5,23 @@
 
 #include "Commands.h"
 #include "LineColors.h"
+#include "LineFile.h"
 #include "LineScene.h"
 #include "PictureOptions.h"
 #include "Progress.h"
+#include "ReadingGuard.h"
 #include "UserError.h"
 
 #include "vtkAnalyticLineSource.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
-#include <vtkGenericDataObjectReader.h>
 #include <vtkImageData.h>
 #include <vtkNamedColors.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkXMLImageDataReader.h>
-#include <vtkXMLImageDataWriter.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -43,41 +40,16 @@ struct LinesOptions : PictureOptions
   LineRenderer Renderer = LineRenderer::Mapper;
 };
 
-template <class Reader>
-vtkSmartPointer<vtkDataObject> ReadBy(const std::string& path)
+vtkSmartPointer<vtkPolyData> MakeLines(const LinesOptions& options)
 {
-  vtkNew<Reader> reader;
-  vtkNew<vtkCallbackCommand> quiet; // the reason is told below
-  reader->AddObserver(vtkCommand::ErrorEvent, quiet);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  return reader->GetOutputDataObject(0);
-}
-
-vtkSmartPointer<vtkPolyData> ReadLines(const LinesOptions& options)
-{
-  if (options.Spirals > 0)
+  if (options.Spirals <= 0)
   {
-    vtkNew<vtkAnalyticLineSource> source;
-    source->SetNumberOfSegments(options.Spirals);
-    source->Update();
-    return source->GetOutput();
+    return ReadLines(options.File);
   }
-  if (!std::filesystem::exists(options.File))
-  {
-    throw UserError("'" + options.File + "' does not exist. Check the path, or draw --spirals 100000.");
-  }
-  const std::string ending = std::filesystem::path(options.File).extension().string();
-  const auto data = ending == ".vtp" ? ReadBy<vtkXMLPolyDataReader>(options.File)
-                                     : ReadBy<vtkGenericDataObjectReader>(options.File);
-  vtkSmartPointer<vtkPolyData> lines = vtkPolyData::SafeDownCast(data);
-  if (!lines || lines->GetNumberOfLines() == 0)
-  {
-    throw UserError("'" + options.File +
-      "' holds no lines. Give a .vtp or .vtk file of vtkPolyData with "
-      "lines, or a .vti that --voxels wrote.");
-  }
-  return lines;
+  vtkNew<vtkAnalyticLineSource> source;
+  source->SetNumberOfSegments(options.Spirals);
+  source->Update();
+  return source->GetOutput();
 }
 
 void CheckArray(vtkPolyData* lines, const std::string& name)
@@ -102,7 +74,7 @@ void CheckArray(vtkPolyData* lines, const std::string& name)
 
 vtkSmartPointer<vtkImageData> MakeVoxels(LinesOptions& options)
 {
-  const vtkSmartPointer<vtkPolyData> lines = ReadLines(options);
+  const vtkSmartPointer<vtkPolyData> lines = MakeLines(options);
   if (options.ColorsByDirection)
   {
     options.Lines.ColorArray = ColorByDirection(lines);
@@ -129,35 +101,13 @@ vtkSmartPointer<vtkImageData> MakeVoxels(LinesOptions& options)
     static_cast<Progress*>(data)->Update(vtkAlgorithm::SafeDownCast(caller)->GetProgress());
   });
   voxelizer->AddObserver(vtkCommand::ProgressEvent, command);
+  const VtkMessages messages;
   voxelizer->Update();
+  if (!messages.GetError().empty())
+  {
+    throw UserError("The lines cannot be voxelized: " + messages.GetError() + ".");
+  }
   return voxelizer->GetOutput();
-}
-
-bool IsVoxelFile(const std::string& path)
-{
-  return std::filesystem::path(path).extension() == ".vti";
-}
-
-vtkSmartPointer<vtkImageData> ReadVoxels(const std::string& path)
-{
-  vtkSmartPointer<vtkImageData> voxels = vtkImageData::SafeDownCast(ReadBy<vtkXMLImageDataReader>(path));
-  if (!voxels || vtkAnisotropicVoxelEvaluator::GetScalarOpacityUnitDistance(voxels) <= 0.0)
-  {
-    throw UserError(
-      "'" + path + "' holds no anisotropic voxels. Write such a file by lines --voxels FILE.vti.");
-  }
-  return voxels;
-}
-
-void WriteVoxels(vtkImageData* voxels, const std::string& path)
-{
-  vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetInputData(voxels);
-  writer->SetFileName(path.c_str());
-  if (writer->Write() != 1)
-  {
-    throw UserError("'" + path + "' cannot be written. Check that its folder exists and is writable.");
-  }
 }
 
 void Draw(LinesOptions& options)
@@ -169,16 +119,16 @@ void Draw(LinesOptions& options)
   }
   const vtkSmartPointer<vtkImageData> voxels =
     IsVoxelFile(options.File) ? ReadVoxels(options.File) : MakeVoxels(options);
-  if (!options.VoxelFile.empty())
-  {
-    WriteVoxels(voxels, options.VoxelFile);
-  }
   LineScene scene(voxels, options.Picture, OffScreenWindow(options.Headless), options.Renderer);
   scene.LightAs(voxels);
   scene.SetRadiusScale(0, options.Lines.RadiusScale);
   scene.SetOpacityScale(0, options.OpacityScale);
   const double seconds = scene.Render();
   scene.GetScene().WritePng(options.Output);
+  if (!options.VoxelFile.empty())
+  {
+    WriteVoxels(voxels, options.VoxelFile);
+  }
   Progress::Say(options.Output + ": voxels of " + std::to_string(voxels->GetActualMemorySize() / 1024) +
     " MiB, frame with set-up " + TimeText(seconds));
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <unistd.h>
 
 namespace
@@ -45,6 +46,10 @@ Progress::Progress(const std::string& task)
 
 Progress::~Progress()
 {
+  if (std::uncaught_exceptions() > 0)
+  {
+    return; // the error is told instead
+  }
   Say(this->Task + ": " + TimeText(this->Seconds()));
 }
 

@@ -128,6 +128,10 @@ void TradeTable(const TableOptions& options)
 {
   std::filesystem::create_directories(options.Folder);
   const std::vector<std::string> models = { "vtk", "none", "blinn-phong", "ward", "lafortune" };
+  if (!options.Cranium.empty())
+  {
+    GalleryField("cranium", options.Cranium); // a file that cannot be read is told before minutes of others
+  }
   CsvWriter csv(options.Folder + "/table.csv",
     { "data", "size", "grid factor", "n", "r", "N ms", "N MiB", "C ms", "C MiB", "stock VTK fps", "none fps",
       "blinn-phong fps", "ward fps", "lafortune fps" });

@@ -3,6 +3,7 @@
 
 #include "TransferFunction.h"
 
+#include "ReadingGuard.h"
 #include "UserError.h"
 
 #include <vtkColorTransferFunction.h>
@@ -12,9 +13,57 @@
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
 
+#include <algorithm>
 #include <fstream>
 
 using nlohmann::json;
+
+namespace
+{
+// Beyond, a value is no float any more.
+constexpr double LargestValue = 1e38;
+
+bool IsIn(double number, double least, double largest)
+{
+  return number >= least && number <= largest;
+}
+
+// Points of a value and shares.
+template <std::size_t Size>
+void CheckPoints(const std::vector<std::array<double, Size>>& points, const char* key)
+{
+  const auto isRight = [](const std::array<double, Size>& point) {
+    return IsIn(point[0], -LargestValue, LargestValue) &&
+      std::all_of(point.begin() + 1, point.end(), [](double share) { return IsIn(share, 0.0, 1.0); });
+  };
+  if (points.empty() || !std::all_of(points.begin(), points.end(), isRight))
+  {
+    throw UserError(std::string(key) + " needs points, of values in [-1e38, 1e38] and shares in [0, 1]");
+  }
+}
+
+void Check(const TransferFunction& function)
+{
+  CheckPoints(function.Opacity, "opacity");
+  CheckPoints(function.Color, "color");
+  if (!IsIn(function.UnitDistance, 1.0 / LargestValue, LargestValue))
+  {
+    throw UserError("unitDistance must be above 0");
+  }
+  for (const double number :
+    { function.Ambient, function.Diffuse, function.Specular, function.SpecularPower })
+  {
+    if (!IsIn(number, 0.0, LargestValue))
+    {
+      throw UserError("ambient, diffuse, specular and specularPower must be in [0, 1e38]");
+    }
+  }
+  if (!IsIn(function.Isolate, -LargestValue, LargestValue))
+  {
+    throw UserError("isolate must be in [-1e38, 1e38]");
+  }
+}
+}
 
 void to_json(json& object, const TransferFunction& function)
 {
@@ -50,14 +99,13 @@ void from_json(const json& object, TransferFunction& function)
   function.Integration = GetIntegration(object);
   function.HasIsolate = object.contains("isolate");
   function.Isolate = object.value("isolate", 0.0);
-  if (function.Opacity.empty() || function.Color.empty() || !(function.UnitDistance > 0.0))
-  {
-    throw UserError("opacity and color need a point each, and unitDistance must be above 0");
-  }
+  Check(function);
 }
 
 TransferFunction ReadTransferFunction(const std::string& path)
 {
+  RequireFile(path);
+  const ReadingGuard guard(path);
   std::ifstream file(path);
   if (!file)
   {

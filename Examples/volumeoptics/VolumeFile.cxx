@@ -3,18 +3,18 @@
 
 #include "VolumeFile.h"
 
+#include "HeaderCheck.h"
 #include "InvesaliusProject.h"
+#include "ReadingGuard.h"
 #include "UserError.h"
 
 #include <vtkAlgorithm.h>
-#include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkImageExtractComponents.h>
 #include <vtkImageReader2.h>
-#include <vtkLogger.h>
+#include <vtkInformation.h>
 #include <vtkMath.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
@@ -23,11 +23,14 @@
 #include <vtkNew.h>
 #include <vtkNrrdReader.h>
 #include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <type_traits>
 
 namespace
@@ -48,57 +51,71 @@ std::string LowerCase(std::string text)
   return text;
 }
 
-void KeepMessage(vtkObject*, unsigned long, void* clientData, void* callData)
-{
-  auto* kept = static_cast<std::string*>(clientData);
-  if (kept->empty() && callData)
-  {
-    *kept = static_cast<const char*>(callData);
-  }
-}
-
-// VTK's messages end with the text that matters, on a line of its own.
-std::string LastLine(const std::string& message)
-{
-  std::string text = message;
-  std::replace(text.begin(), text.end(), '\r', ' ');
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
-  {
-    text.pop_back();
-  }
-  while (!text.empty() && text.back() == '.')
-  {
-    text.pop_back();
-  }
-  const auto at = text.find("): ");
-  text = at == std::string::npos ? text : text.substr(at + 3);
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
-}
-
 UserError Unreadable(const std::string& path, const std::string& reason)
 {
   return UserError("'" + path + "' cannot be read as a volume (" + reason +
     "). Check that the file is complete and that its ending names its format.");
 }
 
-vtkSmartPointer<vtkImageData> Run(vtkAlgorithm* reader, const std::string& path)
+// What the header promises, before memory is taken for it. Returns the bytes of its scalars.
+double CheckHeader(vtkAlgorithm* reader, const std::string& path)
 {
-  std::string message;
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetCallback(KeepMessage);
-  keep->SetClientData(&message);
-  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+  reader->UpdateInformation();
+  vtkInformation* header = reader->GetOutputInformation(0);
+  int extent[6];
+  if (header == nullptr || !header->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
   {
-    reader->AddObserver(event, keep);
-    reader->GetExecutive()->AddObserver(event, keep);
+    return 0.0; // the object is made while reading
   }
-  const auto verbosity = vtkLogger::GetCurrentVerbosityCutoff();
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  reader->Update();
-  vtkLogger::SetStderrVerbosity(verbosity);
+  header->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  vtkInformation* scalars = vtkDataObject::GetActiveFieldInformation(
+    header, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  const int type = scalars ? scalars->Get(vtkDataObject::FIELD_ARRAY_TYPE()) : VTK_UNSIGNED_CHAR;
+  const int components = scalars ? scalars->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()) : 1;
+  const double one[] = { 1.0, 1.0, 1.0 }, none[] = { 0.0, 0.0, 0.0 };
+  const double* spacing = header->Get(vtkDataObject::SPACING());
+  const double* origin = header->Get(vtkDataObject::ORIGIN());
+  const double bytes = 1.0 * std::max(components, 1) * vtkDataArray::GetDataTypeSize(type);
+  RequireGrid(path, extent, bytes, spacing ? spacing : one, origin ? origin : none,
+    header->Get(vtkDataObject::DIRECTION()));
+  return bytes * (extent[1] - extent[0] + 1.0) * (extent[3] - extent[2] + 1.0) *
+    (extent[5] - extent[4] + 1.0);
+}
+
+// What was read is as large as it says.
+void CheckContents(vtkImageData* image, const std::string& path)
+{
+  RequireGrid(path, image->GetExtent(), 1.0, image->GetSpacing(), image->GetOrigin(),
+    image->GetDirectionMatrix()->GetData());
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = image->GetPointData()->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() < image->GetNumberOfPoints())
+    {
+      throw Unreadable(path, "its data are fewer than its points");
+    }
+  }
+}
+
+// bytes: of the file's data.
+vtkSmartPointer<vtkImageData> Run(
+  vtkAlgorithm* reader, const std::string& path, double bytes = std::numeric_limits<double>::infinity())
+{
+  const ReadingGuard guard(path);
+  if (CheckHeader(reader, path) > bytes)
+  {
+    throw Unreadable(path, "its header promises more voxels than it holds");
+  }
+  if (guard.GetError().empty())
+  {
+    reader->Update();
+  }
   auto* image = vtkImageData::SafeDownCast(reader->GetOutputDataObject(0));
   auto* other = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (!guard.GetError().empty())
+  {
+    throw Unreadable(path, guard.GetError());
+  }
   if (image == nullptr && other != nullptr)
   {
     throw UserError("'" + path + "' holds a " + other->GetClassName() +
@@ -106,24 +123,48 @@ vtkSmartPointer<vtkImageData> Run(vtkAlgorithm* reader, const std::string& path)
   }
   if (image == nullptr || image->GetNumberOfPoints() == 0)
   {
-    throw Unreadable(path, message.empty() ? "it has no voxels" : LastLine(message));
+    throw Unreadable(path, "it has no voxels");
   }
+  CheckContents(image, path);
   return image;
 }
 
 template <class Reader>
-vtkSmartPointer<vtkImageData> RunFile(const std::string& path)
+vtkSmartPointer<vtkImageData> RunFile(
+  const std::string& path, double bytes = std::numeric_limits<double>::infinity())
 {
   vtkNew<Reader> reader;
   if constexpr (std::is_base_of<vtkImageReader2, Reader>::value)
   {
+    const ReadingGuard guard(path);
     if (reader->CanReadFile(path.c_str()) == 0)
     {
       throw Unreadable(path, "no valid header");
     }
   }
   reader->SetFileName(path.c_str());
-  return Run(reader, path);
+  return Run(reader, path, bytes);
+}
+
+vtkSmartPointer<vtkImageData> ReadVti(const std::string& path)
+{
+  const std::string fault = FaultOfXml(path);
+  if (!fault.empty())
+  {
+    throw Unreadable(path, fault);
+  }
+  return RunFile<vtkXMLImageDataReader>(path);
+}
+
+vtkSmartPointer<vtkImageData> ReadNrrd(const std::string& path)
+{
+  double bytes = 0.0;
+  const std::string fault = FaultOfNrrd(path, bytes);
+  if (!fault.empty())
+  {
+    throw Unreadable(path, fault);
+  }
+  return RunFile<vtkNrrdReader>(path, bytes);
 }
 
 vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path)
@@ -163,7 +204,10 @@ vtkSmartPointer<vtkImageData> ReadNifti(const std::string& path)
     {
       axis[row] = form->GetElement(row, column);
     }
-    vtkMath::Normalize(axis);
+    if (!(vtkMath::Normalize(axis) > 0.0) || !std::isfinite(axis[0] + axis[1] + axis[2]))
+    {
+      throw Unreadable(path, "its qform or sform has an axis without a direction");
+    }
     for (int row = 0; row < 3; ++row)
     {
       direction->SetElement(row, column, axis[row]);
@@ -171,6 +215,7 @@ vtkSmartPointer<vtkImageData> ReadNifti(const std::string& path)
   }
   image->SetDirectionMatrix(direction);
   image->SetOrigin(form->GetElement(0, 3), form->GetElement(1, 3), form->GetElement(2, 3));
+  CheckContents(image, path);
   return image;
 }
 
@@ -183,7 +228,7 @@ vtkSmartPointer<vtkImageData> ReadByEnding(const std::string& path)
   }
   if (EndsWith(name, ".vti"))
   {
-    return RunFile<vtkXMLImageDataReader>(path);
+    return ReadVti(path);
   }
   if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
@@ -191,7 +236,7 @@ vtkSmartPointer<vtkImageData> ReadByEnding(const std::string& path)
   }
   if (EndsWith(name, ".nrrd") || EndsWith(name, ".nhdr"))
   {
-    return RunFile<vtkNrrdReader>(path);
+    return ReadNrrd(path);
   }
   if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
@@ -234,10 +279,7 @@ vtkSmartPointer<vtkImageData> OneScalar(vtkSmartPointer<vtkImageData> image, con
 
 Volume ReadVolume(const std::string& path)
 {
-  if (!fs::exists(path))
-  {
-    throw UserError("'" + path + "' does not exist. Check the path.");
-  }
+  RequireFile(path, true);
   const std::string name = LowerCase(path);
   const bool faceAlongY = EndsWith(name, ".inv3") || EndsWith(name, ".nii") || EndsWith(name, ".nii.gz");
   Volume volume;

@@ -4,6 +4,9 @@
 #include "VolumeScene.h"
 
 #include "Lighting.h"
+#include "OutputFile.h"
+#include "Progress.h"
+#include "ReadingGuard.h"
 #include "UserError.h"
 
 #include "vtkAmbientCovarianceFilter.h"
@@ -28,7 +31,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <algorithm>
 #include <map>
 #include <sstream>
@@ -297,10 +299,20 @@ vtkRenderWindow* VolumeScene::GetWindow()
 
 double VolumeScene::Render()
 {
+  const VtkMessages messages;
   const double start = vtkTimerLog::GetUniversalTime();
   this->Window->Render();
   this->Window->WaitForCompletion();
-  return vtkTimerLog::GetUniversalTime() - start;
+  const double seconds = vtkTimerLog::GetUniversalTime() - start;
+  if (!messages.GetError().empty())
+  {
+    throw UserError("The picture cannot be drawn: " + messages.GetError() + ".");
+  }
+  if (!messages.GetWarning().empty())
+  {
+    Progress::Say("Warning: " + messages.GetWarning() + ".");
+  }
+  return seconds;
 }
 
 std::string VolumeScene::GetRendererName()
@@ -329,16 +341,11 @@ vtkSmartPointer<vtkImageData> VolumeScene::Capture()
 
 void VolumeScene::WritePng(const std::string& path)
 {
-  if (!std::ofstream(path, std::ios::app))
-  {
-    throw UserError("'" + path + "' cannot be written. Check that its folder exists and is writable.");
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(this->Capture());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    throw UserError("'" + path + "' cannot be written. Check that its folder exists and is writable.");
-  }
+  WriteFile(path, [&](const std::string& temporary) {
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetFileName(temporary.c_str());
+    writer->SetInputData(this->Capture());
+    writer->Write();
+    return writer->GetErrorCode() == 0;
+  });
 }

@@ -9,12 +9,17 @@
 
 #include <vtkObject.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <new>
+#include <string>
 
 namespace
 {
 constexpr int UserErrorCode = 1;
 constexpr int UsageErrorCode = 2;
+constexpr std::size_t LongestMessage = 600;
 
 const char* const Examples = R"(
 Examples:
@@ -27,6 +32,14 @@ Examples:
   volumeoptics trade covariance -o trade
 
 Exit codes: 0 done, 1 a file or the machine is at fault, 2 the command line is.)";
+
+// Messages quote files, which may hold anything.
+std::string InOneLine(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](unsigned char letter) { return std::iscntrl(letter) != 0; }, ' ');
+  return text.size() <= LongestMessage ? text : text.substr(0, LongestMessage) + " ...";
+}
 }
 
 // What throws outside the try block is a mistake in the options' own text: let it end the program.
@@ -57,9 +70,15 @@ int main(int argc, char** argv)
   {
     return program.exit(error) == 0 ? 0 : UsageErrorCode;
   }
+  catch (const std::bad_alloc&)
+  {
+    std::fprintf(
+      stderr, "volumeoptics: The memory does not suffice. Check the sizes in the file's header.\n");
+    return UserErrorCode;
+  }
   catch (const std::exception& error)
   {
-    std::fprintf(stderr, "volumeoptics: %s\n", error.what());
+    std::fprintf(stderr, "volumeoptics: %s\n", InOneLine(error.what()).c_str());
     return UserErrorCode;
   }
   return 0;

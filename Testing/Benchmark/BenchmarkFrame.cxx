@@ -9,32 +9,12 @@
 //
 // Without a file: Marschner-Lobb, 128^3. low, high: where opacity begins and where it is 0.9.
 
-#include "vtkAnalyticVolumeSource.h"
-#include "vtkHeadlessRenderWindow.h"
+#include "FrameContest.h"
+
 #include "vtkLightingTransferFunction.h"
-#include "vtkOpticsVolumeMapper.h"
-#include "vtkOpticsVolumeProperty.h"
 
-#include "vtkCamera.h"
-#include "vtkColorTransferFunction.h"
-#include "vtkImageData.h"
-#include "vtkNew.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkPiecewiseFunction.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkSmartPointer.h"
-#include "vtkVolume.h"
-#include "vtkXMLImageDataReader.h"
-
-#include <algorithm>
-#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <iostream>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace
 {
@@ -87,107 +67,17 @@ Options Read(int argc, char** argv)
   return options;
 }
 
-vtkSmartPointer<vtkImageData> Load(const Options& options)
+// Light on the boundary that opacity begins at; 3 to 9 fetches of the volume or the normals a sample.
+void UseLightingTransferFunction(const Options& options, vtkOpticsVolumeProperty* property)
 {
-  if (options.File.empty())
-  {
-    vtkNew<vtkAnalyticVolumeSource> source;
-    source->SetDimensions(128, 128, 128);
-    source->Update();
-    return source->GetOutput();
-  }
-  vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName(options.File.c_str());
-  reader->Update();
-  return reader->GetOutput();
+  vtkNew<vtkLightingTransferFunction> function;
+  const double below[2] = { -1.0e4, options.Low }, above[2] = { options.High, 1.0e4 };
+  function->AddBoundary(below, above, 0.2, 0.7, 0.4);
+  function->SetSoftness(0, options.High - options.Low);
+  property->SetLightingTransferFunction(function);
 }
 
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
-// One window, mapper and volume of one kind.
-class Contestant
-{
-public:
-  Contestant(std::string name, vtkGPUVolumeRayCastMapper* mapper, int model)
-    : Name(std::move(name))
-    , Mapper(mapper)
-  {
-    this->Property->SetReflectanceModel(model);
-  }
-
-  // Light on the boundary that opacity begins at; 3 to 9 fetches of the volume or the normals a sample.
-  void UseLightingTransferFunction(
-    const Options& options, vtkOpticsVolumeMapper* mapper, int gradient, int samples)
-  {
-    vtkNew<vtkLightingTransferFunction> function;
-    const double below[2] = { -1.0e4, options.Low }, above[2] = { options.High, 1.0e4 };
-    function->AddBoundary(below, above, 0.2, 0.7, 0.4);
-    function->SetSoftness(0, options.High - options.Low);
-    this->Property->SetLightingTransferFunction(function);
-    mapper->SetScalarGradient(gradient);
-    mapper->SetLightingSamples(samples);
-  }
-
-  void SetUp(vtkImageData* image, const Options& options)
-  {
-    const double* spacing = image->GetSpacing();
-    const double step = std::min({ spacing[0], spacing[1], spacing[2] }) / 2.0;
-    this->Mapper->SetInputData(image);
-    this->Mapper->SetAutoAdjustSampleDistances(0);
-    this->Mapper->SetUseJittering(0);
-    this->Mapper->SetSampleDistance(static_cast<float>(options.Step > 0.0 ? options.Step : step));
-    vtkNew<vtkPiecewiseFunction> opacity;
-    opacity->AddPoint(options.Low, 0.0);
-    opacity->AddPoint(options.High, 0.9);
-    vtkNew<vtkColorTransferFunction> color;
-    color->AddRGBPoint(options.Low, 0.8, 0.7, 0.6);
-    this->Property->SetScalarOpacity(opacity);
-    this->Property->SetColor(color);
-    this->Property->SetScalarOpacityUnitDistance(2.0 * step);
-    this->Property->SetInterpolationTypeToLinear();
-    this->Property->ShadeOn();
-    vtkNew<vtkVolume> volume;
-    volume->SetMapper(this->Mapper);
-    volume->SetProperty(this->Property);
-    vtkNew<vtkRenderer> renderer;
-    renderer->AddVolume(volume);
-    this->Window->SetSize(options.Size, options.Size);
-    this->Window->AddRenderer(renderer);
-    renderer->GetActiveCamera()->SetPosition(0.4, 1.0, 0.3);
-    renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
-    renderer->ResetCamera();
-    renderer->GetActiveCamera()->Zoom(1.5);
-    this->Window->Render(); // uploads, links, estimates frames
-  }
-
-  void Draw()
-  {
-    const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t clockBegin = std::clock();
-    this->Window->Render();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    this->Seconds.push_back(elapsed.count());
-    this->ProcessorSeconds.push_back(static_cast<double>(std::clock() - clockBegin) / CLOCKS_PER_SEC);
-  }
-
-  double GetSeconds() const { return Median(this->Seconds); }
-  double GetProcessorSeconds() const { return Median(this->ProcessorSeconds); }
-
-  std::string Name;
-
-private:
-  vtkSmartPointer<vtkGPUVolumeRayCastMapper> Mapper;
-  vtkNew<vtkOpticsVolumeProperty> Property;
-  vtkNew<vtkHeadlessRenderWindow> Window;
-  std::vector<double> Seconds;
-  std::vector<double> ProcessorSeconds;
-};
-
-void AddLightingTransferFunctions(std::vector<std::unique_ptr<Contestant>>& all, const Options& options)
+void AddLightingTransferFunctions(Contestants& all, const ContestScene& scene, const Options& options)
 {
   using Mapper = vtkOpticsVolumeMapper;
   const struct
@@ -202,25 +92,29 @@ void AddLightingTransferFunctions(std::vector<std::unique_ptr<Contestant>>& all,
   for (const auto& kind : kinds)
   {
     vtkNew<Mapper> mapper;
-    all.push_back(std::make_unique<Contestant>(kind.Name, mapper, vtkOpticsVolumeProperty::VTK));
-    all.back()->UseLightingTransferFunction(options, mapper, kind.Gradient, kind.Samples);
+    mapper->SetScalarGradient(kind.Gradient);
+    mapper->SetLightingSamples(kind.Samples);
+    all.push_back(std::make_unique<Contestant>(kind.Name, scene, mapper,
+      [&](vtkOpticsVolumeProperty* property) { UseLightingTransferFunction(options, property); }));
   }
 }
 
-std::vector<std::unique_ptr<Contestant>> MakeContestants(const Options& options)
+Contestants MakeContestants(const ContestScene& scene, const Options& options)
 {
   using Property = vtkOpticsVolumeProperty;
-  std::vector<std::unique_ptr<Contestant>> all;
+  Contestants all;
   all.push_back(std::make_unique<Contestant>(
-    "stock VTK, ShadeOn", vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New(), Property::VTK));
+    "stock VTK, ShadeOn", scene, vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New()));
   const std::pair<const char*, int> models[] = { { "every term off", Property::VTK },
     { "None", Property::None }, { "Blinn-Phong", Property::BlinnPhong }, { "Ward", Property::Ward },
     { "Lafortune", Property::Lafortune } };
-  for (const auto& [name, model] : models)
+  for (const auto& [name, number] : models)
   {
-    all.push_back(std::make_unique<Contestant>(name, vtkSmartPointer<vtkOpticsVolumeMapper>::New(), model));
+    const int model = number;
+    all.push_back(std::make_unique<Contestant>(name, scene, vtkSmartPointer<vtkOpticsVolumeMapper>::New(),
+      [=](Property* property) { property->SetReflectanceModel(model); }));
   }
-  AddLightingTransferFunctions(all, options);
+  AddLightingTransferFunctions(all, scene, options);
   return all;
 }
 }
@@ -228,19 +122,10 @@ std::vector<std::unique_ptr<Contestant>> MakeContestants(const Options& options)
 int main(int argc, char** argv)
 {
   const Options options = Read(argc, argv);
-  vtkSmartPointer<vtkImageData> image = Load(options);
-  auto contestants = MakeContestants(options);
-  for (auto& contestant : contestants)
-  {
-    contestant->SetUp(image, options);
-  }
-  for (int frame = 0; frame < options.Frames; ++frame)
-  {
-    for (auto& contestant : contestants)
-    {
-      contestant->Draw();
-    }
-  }
+  const ContestScene scene = { "", options.File.empty() ? MarschnerLobb() : ReadContestImage(options.File),
+    { { options.Low, 0.0 }, { options.High, 0.9 } }, true, options.Size, options.Step };
+  Contestants contestants = MakeContestants(scene, options);
+  DrawInTurns(contestants, options.Frames);
   const Contestant& stock = *contestants.front();
   std::cout << "model,wall ms,of stock,processor ms,of stock\n";
   for (const auto& contestant : contestants)

@@ -4,6 +4,7 @@
 // What skips empty space follows what changes: the function, the scalars, the size of cells, the volume; links no
 // program but for the shader with it and without it, and takes no memory where it isn't used.
 
+#include "FrameEvents.h"
 #include "SmallScene.h"
 
 #include "vtkDataObject.h"
@@ -49,7 +50,7 @@ void TestFunction(Check& check)
   check.That(pair.IsSame() && pair.Skips(), "a scene to begin with");
   const int links = pair.Ours.Optics->GetProgramLinkCount();
   check.That(links == 1, "links " + std::to_string(links) + " programs at first");
-  for (const double begin : { 0.7, 0.2, 0.55, 0.9 })
+  for (const double begin : { 0.7, 0.45, 0.55, 0.9 })
   {
     pair.Both([&](TestScene& scene) { SetBegin(scene, begin); });
     check.That(pair.IsSame(), "opacity from " + std::to_string(begin) + " on");
@@ -103,6 +104,26 @@ void TestScalars(Check& check)
   larger->Update();
   pair.Both([&](TestScene& scene) { scene.Mapper->SetInputData(larger->GetOutput()); });
   check.That(pair.IsSame() && pair.Skips(), "another volume");
+}
+
+// A pipeline's new scalars: the ranges are found anew, which the mapper tells of; links no program.
+void TestTimeSteps(Check& check)
+{
+  Pair pair;
+  check.That(pair.IsSame() && pair.Skips(), "the first time step");
+  const int links = pair.Ours.Optics->GetProgramLinkCount();
+  const FrameEvents events(pair.Ours.Optics);
+  check.That(pair.IsSame() && events.Starts == 0, "a frame of the same time step finds ranges");
+  int step = 0;
+  for (const double axis : { 0.5, 0.7 })
+  {
+    pair.Both([&](TestScene& scene) { scene.Source->SetSemiAxes(axis, 0.3, 0.4); });
+    check.That(pair.IsSame(), "a time step");
+    ++step;
+    check.That(events.Starts == step && events.Ends == step && events.Steps >= 4 * step && events.Rises,
+      "progress of a time step");
+  }
+  check.That(pair.Ours.Optics->GetProgramLinkCount() == links, "a time step links a program");
 }
 
 void TestWindows(Check& check)
@@ -183,6 +204,7 @@ int TestEmptySpaceChanges(int, char*[])
   TestFunction(check);
   TestSwitch(check);
   TestScalars(check);
+  TestTimeSteps(check);
   TestWindows(check);
   TestPickedPixels(check);
   TestDepthImage(check);

@@ -12,6 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkTestErrorObserver.h"
 
@@ -221,6 +222,10 @@ void CheckClassification(Check& check, const Field& field, bool emptyWhereConsta
   const auto empty = std::count(isEmpty.begin(), isEmpty.end(), true);
   check.Near(
     "empty fraction", grid->GetEmptyFraction(), static_cast<double>(empty) / isEmpty.size(), 1.0e-15);
+  int deep = 0;
+  ForEachCell(grid, [&](const int cell[3]) { deep += Nearest(grid, isEmpty, cell) > 1 ? 1 : 0; });
+  check.Near(
+    "deep empty fraction", grid->GetDeepEmptyFraction(), static_cast<double>(deep) / isEmpty.size(), 1.0e-15);
   ForEachCell(grid, [&](const int cell[3]) {
     check.That(
       grid->GetCellDistance(cell[0], cell[1], cell[2]) == Nearest(grid, isEmpty, cell), "a cell's distance");
@@ -271,6 +276,28 @@ void TestUpdates(Check& check)
   check.Near("memory", static_cast<double>(grid->GetMemorySize()), 10.0 * 8 * 8 * 8, 0.0);
 }
 
+// By one thread and by several.
+void TestThreads(Check& check)
+{
+  const int size[3] = { 64, 40, 64 };
+  const Field field(VTK_FLOAT, size, 1, 5);
+  std::vector<double> ranges[2];
+  for (const int threads : { 1, 4 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, [&]() {
+      vtkNew<vtkMacrocellGrid> grid;
+      field.SetUp(grid, 4, 0);
+      grid->Update();
+      ForEachCell(grid, [&](const int cell[3]) {
+        double range[2];
+        grid->GetCellRange(cell[0], cell[1], cell[2], range);
+        ranges[threads > 1].insert(ranges[threads > 1].end(), range, range + 2);
+      });
+    });
+  }
+  check.That(!ranges[0].empty() && ranges[0] == ranges[1], "threads find other ranges");
+}
+
 void TestErrors(Check& check)
 {
   vtkNew<vtkMacrocellGrid> grid;
@@ -300,6 +327,7 @@ int TestMacrocellGrid(int, char*[])
   TestNonFinite(check);
   TestClassification(check);
   TestUpdates(check);
+  TestThreads(check);
   TestErrors(check);
   return check.ExitCode();
 }
