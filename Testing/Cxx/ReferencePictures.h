@@ -26,9 +26,10 @@ struct Frames
 
   explicit Frames(TestScene& scene)
   {
-    this->normals->SetInputConnection(scene.Source->GetOutputPort());
-    this->covariance->SetInputConnection(scene.Source->GetOutputPort());
+    this->normals->SetInputConnection(scene.Mapper->GetInputConnection(0, 0));
+    this->covariance->SetInputConnection(scene.Mapper->GetInputConnection(0, 0));
     this->covariance->SetRadius(6.0);
+    this->covariance->SetStorage(scene.Optics->GetAmbientCovarianceFilter()->GetStorage());
     this->normals->Update();
     this->covariance->Update();
     scene.Optics->SetNormalsInputData(this->normals->GetOutput());
@@ -37,8 +38,8 @@ struct Frames
   }
   std::shared_ptr<reference::FrameField> Stored()
   {
-    return std::make_shared<reference::GridFrameField>(
-      this->normals->GetOutput(), this->covariance->GetOutput());
+    return std::make_shared<reference::GridFrameField>(this->normals->GetOutput(),
+      this->covariance->GetOutput(), static_cast<reference::Storage>(this->covariance->GetStorage()));
   }
 };
 

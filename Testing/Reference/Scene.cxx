@@ -151,6 +151,8 @@ void CopyProperty(vtkVolumeProperty* property, Scene& scene)
     scene.gradientStepLength = optics->GetGradientStepLength();
     scene.lightScale = optics->GetLightScale();
     scene.hybridNormals = optics->GetHybridNormals();
+    const double* ambient = optics->GetAmbientColor();
+    scene.ambientColor = Vector(ambient[0], ambient[1], ambient[2]);
   }
 }
 }
