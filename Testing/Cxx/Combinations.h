@@ -40,7 +40,6 @@ struct CombinationScene : TestScene
   {
     this->Source->SetDimensions(12, 12, 12);
     this->Window->SetSize(24, 24);
-    this->Mapper->SetSampleDistance(0.05F);
     this->Property->SetScalarOpacityUnitDistance(0.2);
     this->Property->SetSpecular(1.0); // highlights are what the models differ by
     this->Optics->SetVisibilityGridSize(12);
@@ -194,7 +193,8 @@ const std::vector<Term> Terms = {
       { "World", [](TestScene& s) { s.Optics->GetAmbientCovarianceFilter()->SetStorageToWorld(); } },
       { "Curvature", [](TestScene& s) { s.Property->SetFrameSourceToCurvature(); } } } },
   { "frame precision",
-    { { "8 bits", [](TestScene&) {} }, { "16 bits", [](TestScene& s) { s.Optics->SetFramePrecision(16); } },
+    { { "8 bits", [](TestScene&) {}, false },
+      { "16 bits", [](TestScene& s) { s.Optics->SetFramePrecision(16); } },
       { "32 bits", [](TestScene& s) { s.Optics->SetFramePrecision(32); } } } },
   { "frame resolution",
     { { "full", [](TestScene&) {} },
@@ -222,9 +222,9 @@ const std::vector<Term> Terms = {
       { "clamped", [](TestScene& s) { s.Property->SetSilhouetteToClamped(); } },
       { "gradient", [](TestScene& s) { s.Property->SetSilhouetteToGradient(); } } } },
   { "transmitted light",
-    { { "off", [](TestScene&) {} }, { "diffuse", [](TestScene& s) { s.Property->SetTransmittedLightToDiffuse(); } },
-      { "with highlights",
-        [](TestScene& s) { s.Property->SetTransmittedLightToDiffuseAndSpecular(); } } } },
+    { { "off", [](TestScene&) {} },
+      { "diffuse", [](TestScene& s) { s.Property->SetTransmittedLightToDiffuse(); } },
+      { "with highlights", [](TestScene& s) { s.Property->SetTransmittedLightToDiffuseAndSpecular(); } } } },
   { "isosurfaces",
     { { "none", [](TestScene&) {} }, { "one", [](TestScene& s) { AddSurface(s, 0.5, 0.5); } },
       { "three",
@@ -254,8 +254,7 @@ const std::vector<Term> Terms = {
           s.Property->SetGradientStepLength(2.0);
         } } } },
   { "tables",
-    { { "32 bits", [](TestScene&) {} },
-      { "16 bits", [](TestScene& s) { s.Optics->SetTablePrecision(16); } },
+    { { "32 bits", [](TestScene&) {} }, { "16 bits", [](TestScene& s) { s.Optics->SetTablePrecision(16); } },
       { "small",
         [](TestScene& s) {
           s.Optics->SetPreIntegrationTableSize(16);
@@ -264,7 +263,8 @@ const std::vector<Term> Terms = {
         false } } },
   { "several samples", { { "none", [](TestScene&) {} }, { "a rule", UseRule } } },
   { "ambient light",
-    { { "white", [](TestScene&) {} }, { "coloured", [](TestScene& s) { s.Property->SetAmbientColor(0.2, 0.5, 1.0); } },
+    { { "white", [](TestScene&) {} },
+      { "coloured", [](TestScene& s) { s.Property->SetAmbientColor(0.2, 0.5, 1.0); } },
       { "occlusion", [](TestScene& s) { UseOcclusion(s, 0, 8, 16); }, false },
       { "occlusion by 4", [](TestScene& s) { UseOcclusion(s, 0, 4, 8); }, false },
       { "occlusion by 16", [](TestScene& s) { UseOcclusion(s, 0, 16, 32); }, false },
@@ -367,27 +367,30 @@ const std::vector<Exclusion> Exclusions = {
   { "several samples", {}, "frames", {} },
   { "several samples", {}, "extinction gradient", {} },
   { "several samples", {}, "specular", {} },
-  { "opacity", { "2D" }, "mask", { "labels" } }, // VTK has no table of labels then, and draws what it finds instead
+  { "opacity", { "2D" }, "mask",
+    { "labels" } }, // VTK has no table of labels then, and draws what it finds instead
   { "blocks", {}, "shadows", {} },
   { "blocks", {}, "ambient light",
-    { "occlusion", "occlusion by 4", "occlusion by 16", "occlusion by a disk", "occlusion by a disk's angle" } },
+    { "occlusion", "occlusion by 4", "occlusion by 16", "occlusion by a disk",
+      "occlusion by a disk's angle" } },
 };
 
 inline bool Names(const std::vector<const char*>& names, const Term& term, int choice)
 {
-  return names.empty() ? choice > 0
-                       : std::any_of(names.begin(), names.end(), [&](const char* name) {
-                           return std::strcmp(name, term.Choices[choice].Name) == 0;
-                         });
+  return names.empty() ? choice > 0 : std::any_of(names.begin(), names.end(), [&](const char* name) {
+    return std::strcmp(name, term.Choices[choice].Name) == 0;
+  });
 }
 
-inline bool IsExcluded(const Exclusion& exclusion, const Term& term, int choice, const Term& other, int otherChoice)
+inline bool IsExcluded(
+  const Exclusion& exclusion, const Term& term, int choice, const Term& other, int otherChoice)
 {
   return std::strcmp(exclusion.Term, term.Name) == 0 && std::strcmp(exclusion.OtherTerm, other.Name) == 0 &&
     Names(exclusion.Choices, term, choice) && Names(exclusion.OtherChoices, other, otherChoice);
 }
 
-inline bool GoTogether(const std::vector<Exclusion>& exclusions, const Term& term, int choice, const Term& other, int otherChoice)
+inline bool GoTogether(
+  const std::vector<Exclusion>& exclusions, const Term& term, int choice, const Term& other, int otherChoice)
 {
   return std::none_of(exclusions.begin(), exclusions.end(), [&](const Exclusion& exclusion) {
     return IsExcluded(exclusion, term, choice, other, otherChoice) ||
@@ -395,7 +398,8 @@ inline bool GoTogether(const std::vector<Exclusion>& exclusions, const Term& ter
   });
 }
 
-inline CoveringArray Cover(const std::vector<Term>& terms, const std::vector<Exclusion>& exclusions, int strength)
+inline CoveringArray Cover(
+  const std::vector<Term>& terms, const std::vector<Exclusion>& exclusions, int strength)
 {
   std::vector<int> choices;
   for (const Term& term : terms)

@@ -31,7 +31,7 @@ public:
   {
     const auto found = std::find(this->Words.begin(), this->Words.end(), option);
     return std::distance(found, this->Words.end()) > place + 1 ? std::atoi((found + place + 1)->c_str())
-                                                              : otherwise;
+                                                               : otherwise;
   }
 
 private:

@@ -61,9 +61,12 @@ inline reference::Scene SceneOf(TestScene& stage, Frames& frames)
     stage.Renderer, stage.Volume, stage.Window->GetSize()[0], stage.Window->GetSize()[1]);
   scene.frames = frames.Stored();
   scene.gradientEstimate = static_cast<reference::GradientEstimate>(stage.Optics->GetExtinctionGradient());
-  scene.pairGradient = stage.Optics->GetScalarGradient() == vtkOpticsVolumeMapper::CentralDifferences
-    ? reference::GradientEstimate::CentralDifferences
-    : reference::GradientEstimate::StoredNormal;
+  const int gradient = stage.Optics->GetScalarGradient();
+  const bool isStored = gradient == vtkOpticsVolumeMapper::Automatic
+    ? scene.lighting || scene.rules
+    : gradient == vtkOpticsVolumeMapper::Stored;
+  scene.pairGradient =
+    isStored ? reference::GradientEstimate::StoredNormal : reference::GradientEstimate::CentralDifferences;
   return scene;
 }
 

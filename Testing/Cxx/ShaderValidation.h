@@ -37,7 +37,8 @@ public:
     {
       command += " " + path;
     }
-    check.That(this->Paths.empty() || std::system(command.c_str()) == 0, "a shader named above is not valid GLSL");
+    check.That(
+      this->Paths.empty() || std::system(command.c_str()) == 0, "a shader named above is not valid GLSL");
   }
 
 private:

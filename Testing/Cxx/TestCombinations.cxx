@@ -10,8 +10,7 @@
 // draws every N choices instead, one of N parts of the rows, the row of this number alone, or names the rows.
 
 #include "CapturedOutput.h"
-#include "Combinations.h"
-#include "CommandLine.h"
+#include "CombinationRun.h"
 #include "ScenePixels.h"
 #include "ShaderText.h"
 #include "ShaderValidation.h"
@@ -36,7 +35,8 @@ std::string FaultOf(const Combination& row, Texts& texts)
   Apply(Terms, row, scene);
   scene.Render();
   const std::string error = FaultOfOpenGL();
-  const bool hasWindow = scene.Mapper->GetFinalColorWindow() != 1.0F; // VTK's, which takes colours below 0, too
+  const bool hasWindow =
+    scene.Mapper->GetFinalColorWindow() != 1.0F; // VTK's, which takes colours below 0, too
   const std::string pixels = FaultOfPixels(scene.RenderFloat(), hasWindow);
   texts.Ray = shader.Text;
   texts.Sweep = scene.Property->GetOcclusion() ? scene.Optics->GetOcclusionSweep()->GetFragmentShader() : "";
@@ -47,16 +47,10 @@ std::string FaultOf(const Combination& row, Texts& texts)
   return error.empty() ? pixels : error;
 }
 
-void CheckRow(Check& check, ShaderValidation& validation, const Combination& row, int number)
+// The texts of a row are to be checked, too.
+void AddTexts(Check& check, ShaderValidation& validation, const Texts& texts, int number)
 {
   const std::string name = "Combination-" + std::to_string(number);
-  Texts texts;
-  const std::string fault = FaultOf(row, texts);
-  if (!check.That(fault.empty(), name + " (" + NameOf(Terms, row) + "): " + fault))
-  {
-    const Combination less = Reduced(Terms, Exclusions, row, [&](const Combination& other) { return !FaultOf(other, texts).empty(); });
-    std::cout << "with fewer choices, " << NameOf(Terms, less) << ": " << FaultOf(less, texts) << std::endl;
-  }
   validation.Add(check, name, texts.Ray);
   if (!texts.Sweep.empty())
   {
@@ -69,23 +63,15 @@ int TestCombinations(int argc, char* argv[])
 {
   Check check;
   ShaderValidation validation;
-  const CommandLine line(argc, argv);
-  const CoveringArray array = Cover(Terms, Exclusions, line.GetNumber("--strength", 0, 2));
-  const std::vector<Combination>& rows = array.GetRows();
-  const int part = line.GetNumber("--part", 0, 1), parts = line.GetNumber("--part", 1, 1);
-  const int only = line.GetNumber("--row", 0, -1);
-  std::cout << rows.size() << " rows; " << array.GetNumberOfImpossible() << " combinations in none of them\n";
-  for (int i = 0; i < static_cast<int>(rows.size()); ++i)
-  {
-    if (line.Has("--list"))
+  RunCombinations(check, CommandLine(argc, argv), Terms, Exclusions, [&](const Combination& row, int number) {
+    Texts texts;
+    const std::string fault = FaultOf(row, texts);
+    if (number >= 0)
     {
-      std::cout << i << ": " << NameOf(Terms, rows[i]) << '\n';
+      AddTexts(check, validation, texts, number);
     }
-    else if (only < 0 ? i % parts == part - 1 : i == only)
-    {
-      CheckRow(check, validation, rows[i], i);
-    }
-  }
+    return fault;
+  });
   validation.Run(check);
   return check.ExitCode();
 }

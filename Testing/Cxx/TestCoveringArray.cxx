@@ -24,7 +24,8 @@ bool IsAllowedEitherWay(int term, int choice, int other, int otherChoice)
                       : IsAllowed(other, otherChoice, term, choice);
 }
 
-int CountRows(const std::vector<Combination>& rows, const std::vector<int>& terms, const std::vector<int>& choices)
+int CountRows(
+  const std::vector<Combination>& rows, const std::vector<int>& terms, const std::vector<int>& choices)
 {
   return static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const Combination& row) {
     bool holds = true;
@@ -40,7 +41,8 @@ void CheckPairs(Check& check)
 {
   const CoveringArray array(Choices, 2, IsAllowedEitherWay);
   const std::vector<Combination>& rows = array.GetRows();
-  check.That(rows == CoveringArray(Choices, 2, IsAllowedEitherWay).GetRows(), "another array the second time");
+  check.That(
+    rows == CoveringArray(Choices, 2, IsAllowedEitherWay).GetRows(), "another array the second time");
   check.AtMost("rows", static_cast<double>(rows.size()), 28.0); // 20 pairs of the largest two terms
   int impossible = 0;
   const int terms = static_cast<int>(Choices.size());
@@ -70,8 +72,7 @@ void CheckTriples(Check& check)
   const std::vector<Combination> rows = CoveringArray(choices, 3, always).GetRows();
   for (int triple = 0; triple < 3 * 4 * 3; ++triple)
   {
-    check.AtLeast("a triple",
-      CountRows(rows, { 1, 2, 4 }, { triple % 3, triple / 3 % 4, triple / 12 }), 1.0);
+    check.AtLeast("a triple", CountRows(rows, { 1, 2, 4 }, { triple % 3, triple / 3 % 4, triple / 12 }), 1.0);
   }
   check.AtMost("rows of triples", static_cast<double>(rows.size()), 54.0); // 36 triples of the largest terms
 }
