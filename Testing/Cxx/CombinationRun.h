@@ -18,13 +18,12 @@ inline void CheckCombination(Check& check, const std::vector<Term>& terms,
   const std::vector<Exclusion>& exclusions, const Judge& judge, const Combination& row, int number)
 {
   const std::string fault = judge(row, number);
-  if (check.That(
-        fault.empty(), "row " + std::to_string(number) + " (" + NameOf(terms, row) + "): " + fault))
+  if (check.That(fault.empty(), "row " + std::to_string(number) + " (" + NameOf(terms, row) + "): " + fault))
   {
     return;
   }
-  const Combination less = Reduced(
-    terms, exclusions, row, [&](const Combination& other) { return !judge(other, -1).empty(); });
+  const Combination less =
+    Reduced(terms, exclusions, row, [&](const Combination& other) { return !judge(other, -1).empty(); });
   std::cout << "with fewer choices, " << NameOf(terms, less) << ": " << judge(less, -1) << std::endl;
 }
 

@@ -81,11 +81,11 @@ std::string FaultOf(const std::vector<Term>& terms, const Combination& row)
   Frames frames(stage);
   stage.Optics->SetFramePrecision(bits);
   const auto picture = FloatPicture(stage);
-  const bool isLitByVTK = stage.Property->GetShade() &&
-    stage.Optics->GetActiveTerms().find("Reflectance") == std::string::npos;
+  const bool isLitByVTK =
+    stage.Property->GetShade() && stage.Optics->GetActiveTerms().find("Reflectance") == std::string::npos;
   const double off = RootMeanSquare(stage, Render(SceneOf(stage, frames)), picture);
   return off <= (isLitByVTK ? LargestOfVTK : LargestRootMeanSquare) ? ""
-                                                                     : "rms " + std::to_string(off) + "/255";
+                                                                    : "rms " + std::to_string(off) + "/255";
 }
 }
 
