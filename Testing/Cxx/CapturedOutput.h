@@ -6,6 +6,7 @@
 #ifndef CapturedOutput_h
 #define CapturedOutput_h
 
+#include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
@@ -43,8 +44,13 @@ public:
     : Before(vtkOutputWindow::GetInstance())
   {
     vtkOutputWindow::SetInstance(this->Window);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   }
-  ~CapturedOutput() { vtkOutputWindow::SetInstance(this->Before); }
+  ~CapturedOutput()
+  {
+    vtkOutputWindow::SetInstance(this->Before);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO); // VTK's default
+  }
   CapturedOutput(const CapturedOutput&) = delete;
   CapturedOutput& operator=(const CapturedOutput&) = delete;
 
