@@ -180,9 +180,11 @@ private:
 
   void SetProperty()
   {
-    this->Property->SetReflectanceModel(this->Random.Choice(vtkOpticsVolumeProperty::NumberOfReflectanceModels));
+    this->Property->SetReflectanceModel(
+      this->Random.Choice(vtkOpticsVolumeProperty::NumberOfReflectanceModels));
     this->Property->SetShade(this->Random.Is(0.8));
-    for (int model = vtkOpticsVolumeProperty::BlinnPhong; model <= vtkOpticsVolumeProperty::Lafortune; ++model)
+    for (int model = vtkOpticsVolumeProperty::BlinnPhong; model <= vtkOpticsVolumeProperty::Lafortune;
+         ++model)
     {
       this->Property->SetGlossiness(model, this->Random.Setting(1.0e-4, model == 3 ? 1.0 : 1.0e5));
     }
@@ -232,7 +234,8 @@ private:
     if (this->Random.Is(0.15))
     {
       vtkNew<vtkMultiSampleClassification> rules;
-      rules->AddRule(low, high, high, 0.9, 0.2, this->Random.Setting(0.0, 1.0), this->Random.Between(0.0, 1.0));
+      rules->AddRule(
+        low, high, high, 0.9, 0.2, this->Random.Setting(0.0, 1.0), this->Random.Between(0.0, 1.0));
       this->Property->SetMultiSampleClassification(rules);
     }
     this->Property->SetGradientStepLength(this->Random.Setting(0.0, 10.0));
@@ -272,7 +275,8 @@ private:
       light->SetLightType(1 + this->Random.Number(3));
       const double reach = size * this->Random.PowerOfTen(-1.0, 1.0);
       light->SetPosition(center[0] + reach * this->Random.Between(-1.0, 1.0),
-        center[1] + reach * this->Random.Between(-1.0, 1.0), center[2] + reach * this->Random.Between(-1.0, 1.0));
+        center[1] + reach * this->Random.Between(-1.0, 1.0),
+        center[2] + reach * this->Random.Between(-1.0, 1.0));
       light->SetFocalPoint(center[0], center[1], center[2]);
       light->SetPositional(this->Random.Is(0.5));
       light->SetConeAngle(this->Random.Between(1.0, 180.0));
@@ -298,8 +302,8 @@ private:
     if (this->Random.Is(0.2))
     {
       this->Mapper->SetCropping(1);
-      this->Mapper->SetCroppingRegionPlanes(center[0] - 0.2 * size, center[0] + 0.1 * size, center[1] - 0.1 * size,
-        center[1] + 0.2 * size, center[2] - 0.1 * size, center[2] + 0.1 * size);
+      this->Mapper->SetCroppingRegionPlanes(center[0] - 0.2 * size, center[0] + 0.1 * size,
+        center[1] - 0.1 * size, center[1] + 0.2 * size, center[2] - 0.1 * size, center[2] + 0.1 * size);
       this->Mapper->SetCroppingRegionFlags(this->Random.Number(1 << 27));
     }
     if (this->Random.Is(0.2))

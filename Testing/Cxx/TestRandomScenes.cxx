@@ -13,14 +13,14 @@
 #include "RandomScene.h"
 #include "ScenePixels.h"
 
-
 #include <set>
 
 namespace
 {
 // Of what may be said: by the setters, and by what draws.
 const char* const Documented[] = { "is outside its range", "is not a number", "is not finite", "is none of",
-  "is not set: choose", "does not support", "do not support", "Occlusion is left out", "Shadows are left out" };
+  "is not set: choose", "does not support", "do not support", "Occlusion is left out",
+  "Shadows are left out" };
 
 bool IsDocumented(const std::string& text)
 {
