@@ -10,6 +10,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 #include "vtk_glew.h"
 
 #include <algorithm>
@@ -96,6 +97,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
+// A volume has none, whatever VTK says; and asking it for its time of change gives its property a gradient opacity.
 OpaqueDepth::Props OpaqueDepth::OpaqueProps(vtkRenderer* renderer)
 {
   Props props;
@@ -104,7 +106,8 @@ OpaqueDepth::Props OpaqueDepth::OpaqueProps(vtkRenderer* renderer)
   all->InitTraversal(iterator);
   while (vtkProp* prop = all->GetNextProp(iterator))
   {
-    if (prop->GetVisibility() && prop->GetBounds() && prop->HasOpaqueGeometry())
+    if (!vtkVolume::SafeDownCast(prop) && prop->GetVisibility() && prop->GetBounds() &&
+      prop->HasOpaqueGeometry())
     {
       props.push_back(prop);
     }

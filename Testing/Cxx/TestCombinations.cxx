@@ -33,6 +33,7 @@ std::string FaultOf(const Combination& row, Texts& texts)
   CombinationScene scene;
   const ShaderText shader(scene.Mapper);
   Apply(Terms, row, scene);
+  const bool hasGradientOpacity = scene.Property->HasGradientOpacity();
   scene.Render();
   const std::string error = FaultOfOpenGL();
   const bool hasWindow =
@@ -40,6 +41,10 @@ std::string FaultOf(const Combination& row, Texts& texts)
   const std::string pixels = FaultOfPixels(scene.RenderFloat(), hasWindow);
   texts.Ray = shader.Text;
   texts.Sweep = scene.Property->GetOcclusion() ? scene.Optics->GetOcclusionSweep()->GetFragmentShader() : "";
+  if (scene.Property->HasGradientOpacity() != hasGradientOpacity)
+  {
+    return "drawing gives the property a gradient opacity"; // VTK does where it is asked for one
+  }
   if (!output.GetTexts().empty())
   {
     return output.GetTexts().front();

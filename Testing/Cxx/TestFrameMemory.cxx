@@ -50,7 +50,8 @@ Memory Measure(TestScene& scene)
   long total = 0;
   long resident = 0;
   std::ifstream("/proc/self/statm") >> total >> resident;
-  memory.Resident = static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+  memory.Resident =
+    static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
   memory.Terms = static_cast<double>(scene.Optics->GetTermMemorySize());
   memory.Objects = CountObjects();
   return memory;
@@ -115,8 +116,9 @@ int TestFrameMemory(int argc, char* argv[])
   }
   const Memory after = Measure(scene);
   std::cout << "frame " << first << " and " << frames << ": heap " << before.Heap << ", " << after.Heap
-            << " MiB; resident " << before.Resident << ", " << after.Resident << " MiB; terms " << before.Terms
-            << ", " << after.Terms << " KiB; objects " << before.Objects << ", " << after.Objects << "\n";
+            << " MiB; resident " << before.Resident << ", " << after.Resident << " MiB; terms "
+            << before.Terms << ", " << after.Terms << " KiB; objects " << before.Objects << ", "
+            << after.Objects << "\n";
   check.AtMost("MiB that the heap grows by", after.Heap - before.Heap, 2.0);
   check.AtMost("MiB that the resident set grows by", after.Resident - before.Resident, 2.0);
   check.Near("KiB of the terms' textures", after.Terms, before.Terms, 0.0);
