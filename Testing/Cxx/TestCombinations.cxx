@@ -70,7 +70,7 @@ int TestCombinations(int argc, char* argv[])
   ShaderValidation validation;
   RunCombinations(check, CommandLine(argc, argv), Terms, Exclusions, [&](const Combination& row, int number) {
     Texts texts;
-    const std::string fault = FaultOf(row, texts);
+    std::string fault = FaultOf(row, texts);
     if (number >= 0)
     {
       AddTexts(check, validation, texts, number);

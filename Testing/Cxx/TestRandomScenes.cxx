@@ -59,7 +59,7 @@ std::string FaultOf(std::uint32_t seed)
   const std::string pixels = terms.empty() || terms == "EmptySpace" ? "" : FaultOfPixels(picture);
   const std::string said = FaultOfMessages(output.GetTexts(), firstOfFrames);
   const std::string fault = !said.empty() ? said : !error.empty() ? error : pixels;
-  return fault.empty() ? fault : fault + " (terms: " + terms + ")";
+  return fault.empty() ? fault : fault.substr(0, 400) + " (terms: " + terms + ")";
 }
 }
 
