@@ -14,14 +14,15 @@
 namespace
 {
 // What is wrong with RGBA of a float target; empty: nothing. A sample's radiance is at most a half float's
-// largest, the shader's own bound; opacities are multiplied in float.
+// largest, the shader's own bound; the sum of a ray's opacities is 1 but for its rounding.
 inline std::string FaultOfPixels(const std::vector<float>& pixels, bool mayBeNegative = false)
 {
-  const float least = mayBeNegative ? -65504.0F : 0.0F;
+  const float largest = 1.0001F * 65504.0F;
+  const float least = mayBeNegative ? -largest : 0.0F;
   for (std::size_t i = 0; i < pixels.size(); ++i)
   {
     const bool isOpacity = i % 4 == 3;
-    if (!(pixels[i] >= (isOpacity ? 0.0F : least) && pixels[i] <= (isOpacity ? 1.0001F : 65504.0F)))
+    if (!(pixels[i] >= (isOpacity ? 0.0F : least) && pixels[i] <= (isOpacity ? 1.0001F : largest)))
     {
       return "pixel " + std::to_string(i / 4) + ": " + std::to_string(pixels[i]);
     }
