@@ -7,13 +7,25 @@
 #include "AnisotropyCode.h"
 #include "Batches.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 
 namespace
 {
 const char* const StorageNames[] = { "Map", "Components", "World" };
+
+// By which whoever reads the array tells Components from Map, which has as many numbers.
+void NameComponents(int storage, vtkDataArray* codes)
+{
+  const char* const names[] = { "C11", "C12", "C22" };
+  for (int i = 0; storage == vtkAnisotropyFilter::Components && i < 3; ++i)
+  {
+    codes->SetComponentName(i, names[i]);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -43,6 +55,7 @@ bool vtkAnisotropyFilter::ComputeArrays(const volumeoptics::ImageGrid& grid,
     return false;
   }
   float* numbers = AddArray(output, "AmbientCovariance", components);
+  NameComponents(this->Storage, output->GetPointData()->GetArray("AmbientCovariance"));
   const auto tiles = volumeoptics::SplitIntoTiles(extent, 32, 1.0e6);
   const vtkIdType nx = extent[1] - extent[0] + 1;
   const vtkIdType ny = extent[3] - extent[2] + 1;

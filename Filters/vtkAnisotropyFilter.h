@@ -36,7 +36,7 @@ public:
   /**
    * What the numbers are. Map: 3 numbers in [-1, 1] that stay right under interpolation for any
    * normal. Components: the 3 of [Ament2015] eq. 24, normalised, which fail near normals along z;
-   * for comparison. World: 5 numbers in [-1, 1], xx yy xy xz yz of the traceless tensor, free of
+   * for comparison; their names are C11, C12 and C22. World: 5 numbers in [-1, 1], xx yy xy xz yz of the traceless tensor, free of
    * the normal's sign. Default Map.
    */
   enum StorageType

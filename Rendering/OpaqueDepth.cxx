@@ -97,6 +97,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
+// A volume has none, whatever VTK says; and asking it for its time of change gives its property a gradient opacity.
 OpaqueDepth::Props OpaqueDepth::OpaqueProps(vtkRenderer* renderer)
 {
   Props props;

@@ -30,6 +30,13 @@ const char* const VisibilityAlgorithmNames[] = { "DirectionSweep", "Disk", "Disk
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetFrameResolutionFactor(double factor)
+{
+  volumeoptics::SetWithinRange(
+    this, "FrameResolutionFactor", factor, 0.0625, 1.0, this->FrameResolutionFactor);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetFramePrecision(int bits)
 {
   volumeoptics::SetPrecision(this, "FramePrecision", bits, this->FramePrecision);

@@ -120,7 +120,7 @@ public:
    * normals and frames would exceed MaxMemoryInBytes * MaxMemoryFraction.
    */
   vtkGetMacro(FrameResolutionFactor, double);
-  vtkSetClampMacro(FrameResolutionFactor, double, 0.0625, 1.0);
+  void SetFrameResolutionFactor(double factor);
   ///@}
 
   ///@{

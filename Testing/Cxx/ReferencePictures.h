@@ -26,9 +26,10 @@ struct Frames
 
   explicit Frames(TestScene& scene)
   {
-    this->normals->SetInputConnection(scene.Source->GetOutputPort());
-    this->covariance->SetInputConnection(scene.Source->GetOutputPort());
+    this->normals->SetInputConnection(scene.Mapper->GetInputConnection(0, 0));
+    this->covariance->SetInputConnection(scene.Mapper->GetInputConnection(0, 0));
     this->covariance->SetRadius(6.0);
+    this->covariance->SetStorage(scene.Optics->GetAmbientCovarianceFilter()->GetStorage());
     this->normals->Update();
     this->covariance->Update();
     scene.Optics->SetNormalsInputData(this->normals->GetOutput());
@@ -37,8 +38,8 @@ struct Frames
   }
   std::shared_ptr<reference::FrameField> Stored()
   {
-    return std::make_shared<reference::GridFrameField>(
-      this->normals->GetOutput(), this->covariance->GetOutput());
+    return std::make_shared<reference::GridFrameField>(this->normals->GetOutput(),
+      this->covariance->GetOutput(), static_cast<reference::Storage>(this->covariance->GetStorage()));
   }
 };
 
@@ -60,9 +61,12 @@ inline reference::Scene SceneOf(TestScene& stage, Frames& frames)
     stage.Renderer, stage.Volume, stage.Window->GetSize()[0], stage.Window->GetSize()[1]);
   scene.frames = frames.Stored();
   scene.gradientEstimate = static_cast<reference::GradientEstimate>(stage.Optics->GetExtinctionGradient());
-  scene.pairGradient = stage.Optics->GetScalarGradient() == vtkOpticsVolumeMapper::CentralDifferences
-    ? reference::GradientEstimate::CentralDifferences
-    : reference::GradientEstimate::StoredNormal;
+  const int gradient = stage.Optics->GetScalarGradient();
+  const bool isStored = gradient == vtkOpticsVolumeMapper::Automatic
+    ? scene.lighting || scene.rules
+    : gradient == vtkOpticsVolumeMapper::Stored;
+  scene.pairGradient =
+    isStored ? reference::GradientEstimate::StoredNormal : reference::GradientEstimate::CentralDifferences;
   return scene;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A parameter that only changes a uniform links no program; one that changes the source links one.
+// Scenes whose settings change one after the other: what changes the source links one program, and only the first time;
+// anything else none. TestParameterLinks has every parameter by itself.
 
 #include "SmallScene.h"
 
@@ -38,12 +39,6 @@ void TestReflectance(Check& check)
   vtkOpticsVolumeProperty* property = scene.Property;
   property->SetReflectanceModelToWard();
   Expectation expect{ check, scene };
-  expect(0, "Glossiness", [&] { property->SetGlossiness(0.05); });
-  expect(0, "AnisotropyScale", [&] { property->SetAnisotropyScale(40.0); });
-  expect(0, "ScatteringAnisotropy", [&] { property->SetScatteringAnisotropy(0.4F); });
-  expect(0, "SpecularFromExtinction", [&] { property->SpecularFromExtinctionOff(); });
-  expect(0, "FrameSource", [&] { property->SetFrameSourceToCurvature(); });
-  expect(0, "FramePrecision", [&] { scene.Optics->SetFramePrecision(16); });
   expect(0, "the camera", [&] { scene.Renderer->GetActiveCamera()->Azimuth(10.0); });
   expect(0, "the transfer function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
   expect(0, "two-sided lighting", [&] { scene.Renderer->TwoSidedLightingOff(); });
@@ -58,7 +53,6 @@ void TestIntegration(Check& check)
   vtkOpticsVolumeProperty* property = scene.Property;
   property->SetIntegrationSpaceToData();
   Expectation expect{ check, scene };
-  expect(0, "ScalarOpacityUnitInterval", [&] { property->SetScalarOpacityUnitInterval(0.3); });
   expect(0, "the opacity function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
   expect(0, "the colour function", [&] { scene.Color->AddRGBPoint(0.8, 0.9, 0.1, 0.1); });
   expect(1, "the first isosurface", [&] { property->AddIsosurface(0.5, 0.5); });
@@ -67,8 +61,6 @@ void TestIntegration(Check& check)
   expect(1, "Silhouette", [&] { property->SetSilhouetteToExact(); });
   expect(1, "Classification", [&] { property->SetClassificationToPreIntegrated(); });
   expect(0, "the opacity function in a table", [&] { scene.Opacity->AddPoint(0.9, 0.2); });
-  expect(0, "PreIntegrationTableSize", [&] { scene.Optics->SetPreIntegrationTableSize(64); });
-  expect(0, "TablePrecision", [&] { scene.Optics->SetTablePrecision(16); });
   expect(0, "the sample distance", [&] { scene.Mapper->SetSampleDistance(0.05F); });
   expect(0, "ScalarGradient CentralDifferences, which Automatic is here",
     [&] { scene.Optics->SetScalarGradientToCentralDifferences(); });
@@ -88,10 +80,6 @@ void TestLighting(Check& check)
   expect(0, "a boundary's range", [&] { function->SetRange(0, 0, 0.0, 0.5); });
   check.That(LargestDifference(before, scene.Render()) > 10, "the edit of a boundary is not drawn");
   expect(0, "another boundary", [&] { function->AddBoundary(low, high, 0.1, 0.8, 0.3); });
-  expect(0, "LightScale", [&] { property->SetLightScale(3.0); });
-  expect(0, "GradientStepLength", [&] { property->SetGradientStepLength(2.0); });
-  expect(0, "LightingTableSize", [&] { scene.Optics->SetLightingTableSize(64); });
-  expect(0, "TablePrecision", [&] { scene.Optics->SetTablePrecision(16); });
   expect(0, "the opacity function", [&] { scene.Opacity->AddPoint(0.8, 0.9); });
   expect(
     0, "ScalarGradient Stored, which Automatic is here", [&] { scene.Optics->SetScalarGradientToStored(); });

@@ -124,12 +124,29 @@ LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sa
   return coefficients;
 }
 
+namespace
+{
+LightingCoefficients CoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient)
+{
+  return scene.lighting ? LightingCoefficientsAt(scene, sample, gradient)
+                        : LightingCoefficients{ scene.ambient, scene.diffuse, scene.specular };
+}
+}
+
 //------------------------------------------------------------------------------
-Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color)
+double TransmissionAt(const Scene& scene, const Sample& sample)
+{
+  const LightingCoefficients coefficients = CoefficientsAt(scene, sample, PairGradientAt(scene, sample));
+  const bool hasSide = scene.reflectance == Reflectance::VTK;
+  return coefficients.diffuse * (hasSide ? std::abs(coefficients.side) : 1.0);
+}
+
+//------------------------------------------------------------------------------
+Vector PhongRadiance(const Scene& scene, const Sample& sample, const Vector& color)
 {
   const Vector gradient = PairGradientAt(scene, sample);
   const double steepness = glm::length(gradient);
-  const LightingCoefficients coefficients = LightingCoefficientsAt(scene, sample, gradient);
+  const LightingCoefficients coefficients = CoefficientsAt(scene, sample, gradient);
   const double side = coefficients.side < 0.0 ? -1.0 : 1.0;
   const Vector normal = steepness > 0.0 ? -side * gradient / steepness : Vector(0.0);
   Vector diffuse(0.0);
@@ -139,6 +156,10 @@ Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const 
     const Illumination illumination = IlluminationAt(scene, light, sample.position);
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-10);
+    if (IsTransmitted(scene, sample, illumination.toLight))
+    {
+      continue;
+    }
     diffuse +=
       illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) * light.diffuse;
     const double facing = Facing(cosHalf, scene.twoSided);

@@ -20,13 +20,16 @@ struct LightingCoefficients
   double side = 1.0; // HybridSide; 1 without hybrid normals
 };
 
-// Of the scalar: along it S1 and S2 are taken.
+// Of the scalar: along it S1 and S2 are taken, and from it the sides of a surface.
 Vector PairGradientAt(const Scene& scene, const Sample& sample);
 
 LightingCoefficients LightingCoefficientsAt(const Scene& scene, const Sample& sample, const Vector& gradient);
 
-// The mapper's Phong model with those coefficients.
-Vector LightingTransferRadiance(const Scene& scene, const Sample& sample, const Vector& color);
+// The mapper's Phong model with those coefficients, or without a function the scene's own.
+Vector PhongRadiance(const Scene& scene, const Sample& sample, const Vector& color);
+
+// The coefficient of light that shines through: the diffuse one.
+double TransmissionAt(const Scene& scene, const Sample& sample);
 
 // Colour of a sample, and opacity of one step, after the rules if there are some.
 struct Classified

@@ -61,7 +61,10 @@ Ray RayThrough(const Scene& scene, double x, double y)
   ray.origin = nearPoint;
   ray.direction = glm::normalize(farPoint - nearPoint);
   ray.inside = Intersect(scene.grid, ray.origin, ray.direction);
-  ray.inside.entry = std::max(ray.inside.entry, 0.0);
+  const Vector axis =
+    glm::normalize(Unproject(scene.camera, 0.5 * scene.camera.width, 0.5 * scene.camera.height, 1.0) -
+      Unproject(scene.camera, 0.5 * scene.camera.width, 0.5 * scene.camera.height, -1.0));
+  ray.inside.entry = std::max(ray.inside.entry, scene.camera.nearOffset / glm::dot(ray.direction, axis));
   return ray;
 }
 

@@ -15,6 +15,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <stdexcept>
 
@@ -49,6 +50,8 @@ Camera CameraOf(vtkRenderer* renderer, const glm::dmat4& worldToDataset, int wid
   Camera camera;
   camera.deviceToDataset = worldToDataset * glm::inverse(worldToDevice);
   camera.eye = TransformPoint(worldToDataset, source->GetPosition());
+  const double* range = source->GetClippingRange();
+  camera.nearOffset = std::max(0.001 * (range[1] - range[0]), 1000.0 * FLT_EPSILON); // as VTK
   camera.width = width;
   camera.height = height;
   return camera;
@@ -151,6 +154,8 @@ void CopyProperty(vtkVolumeProperty* property, Scene& scene)
     scene.gradientStepLength = optics->GetGradientStepLength();
     scene.lightScale = optics->GetLightScale();
     scene.hybridNormals = optics->GetHybridNormals();
+    const double* ambient = optics->GetAmbientColor();
+    scene.ambientColor = Vector(ambient[0], ambient[1], ambient[2]);
   }
 }
 }

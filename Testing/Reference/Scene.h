@@ -101,6 +101,7 @@ struct Camera
   Vector eye = Vector(0.0);
   int width = 1;
   int height = 1;
+  double nearOffset = 0.0; // rays begin so far behind the near plane, in dataset space
 };
 
 struct Scene

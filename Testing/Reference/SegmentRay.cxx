@@ -3,6 +3,7 @@
 
 #include "SegmentRay.h"
 
+#include "LightingTransfer.h"
 #include "Optics.h"
 #include "Shading.h"
 #include "TransferIntegral.h"
@@ -120,7 +121,7 @@ private:
   {
     Sample sample = this->SampleAt(place);
     sample.isSurface = true;
-    const Vector gradient = this->World.field->Gradient(sample.position);
+    const Vector gradient = PairGradientAt(this->World, sample);
     const double length = glm::length(gradient);
     const double cosine = length > 0.0 ? glm::dot(gradient, this->Path.direction) / length : 1.0;
     double opacity = surface.opacity;
@@ -189,7 +190,7 @@ private:
       return integral.opacity;
     }
     const double scalarStep = std::abs(back.scalar - front.scalar);
-    const Vector gradient = this->World.field->Gradient(this->SampleAt(sampled).position);
+    const Vector gradient = PairGradientAt(this->World, this->SampleAt(sampled));
     const double gradientStep = glm::length(gradient) * (back.at - front.at);
     const double mean = scalarStep > 0.0
       ? integral.depth / scalarStep

@@ -13,18 +13,11 @@ namespace reference
 {
 namespace
 {
-// By the scalar's own normal: its sign does not matter.
-bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& toLight)
-{
-  return scene.transmittedLight != TransmittedLight::Off &&
-    optics::LightSide(scene.field->Gradient(sample.position), toLight, sample.toViewer) < 0.0;
-}
-
 // The paper's exponent of specular reflection is VTK's specular power.
 Vector Transmitted(const Scene& scene, const Sample& sample)
 {
   Vector sum(0.0);
-  const Vector gradient = scene.field->Gradient(sample.position);
+  const Vector gradient = PairGradientAt(scene, sample);
   const double length = glm::length(gradient);
   if (scene.transmittedLight == TransmittedLight::Off || !(length > 0.0))
   {
@@ -85,10 +78,6 @@ Vector VTKPhong(const Scene& scene, const Sample& sample, const Vector& color)
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-6);
     ambient += light.ambient;
-    if (IsTransmitted(scene, sample, illumination.toLight))
-    {
-      continue;
-    }
     diffuse +=
       illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) * light.diffuse;
     const double facing = Facing(cosHalf, scene.twoSided);
@@ -208,6 +197,13 @@ Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector
 }
 
 //------------------------------------------------------------------------------
+bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& toLight)
+{
+  return scene.transmittedLight != TransmittedLight::Off &&
+    optics::LightSide(PairGradientAt(scene, sample), toLight, sample.toViewer) < 0.0;
+}
+
+//------------------------------------------------------------------------------
 ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample)
 {
   if (sample.isSurface)
@@ -237,6 +233,13 @@ ExtinctionGradient ExtinctionGradientAt(const Scene& scene, const Sample& sample
 
 namespace
 {
+// Whether the mapper lights in place of VTK, whose model it is: something else about the light is not VTK's.
+bool IsRelit(const Scene& scene)
+{
+  return scene.lighting || scene.transmittedLight != TransmittedLight::Off || scene.shadow ||
+    scene.visibility || scene.ambientColor != Vector(1.0);
+}
+
 // Of a model other than VTK's; hybrid normals turn the extinction's.
 LightingCoefficients CoefficientsAt(const Scene& scene, const Sample& sample, ExtinctionGradient& extinction)
 {
@@ -257,9 +260,9 @@ LightingCoefficients CoefficientsAt(const Scene& scene, const Sample& sample, Ex
 // Ambient and reflected light.
 Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
 {
-  if (scene.reflectance == Reflectance::VTK && scene.lighting)
+  if (scene.reflectance == Reflectance::VTK && IsRelit(scene))
   {
-    return LightingTransferRadiance(scene, sample, color);
+    return PhongRadiance(scene, sample, color);
   }
   if (scene.reflectance == Reflectance::VTK)
   {
@@ -312,7 +315,7 @@ Vector Radiance(const Scene& scene, const Sample& sample, const Vector& color, d
     return color * AmbientLight(scene, sample);
   }
   const Vector through = transmittedShare > 0.0
-    ? color * (scene.diffuse * transmittedShare * Transmitted(scene, sample))
+    ? color * (TransmissionAt(scene, sample) * transmittedShare * Transmitted(scene, sample))
     : Vector(0.0);
   return Reflected(scene, sample, color) + through;
 }
