@@ -98,6 +98,7 @@ set(rendering_sources
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
+  OcclusionGathering
   OcclusionTerm
   OpaqueDepth
   OpticsFactory

@@ -75,6 +75,7 @@
 #include "NormalForCentral.h"
 #include "NormalLookup.h"
 #include "Occlusion.h"
+#include "OcclusionGathered.h"
 #include "OcclusionNone.h"
 #include "Opacity.h"
 #include "OpacityAt2D.h"
@@ -108,6 +109,7 @@
 #include "ScalarPairExtrapolated.h"
 #include "ScalarPairFetched.h"
 #include "ScatteringPhase.h"
+#include "SeenSamples.h"
 #include "SegmentInData.h"
 #include "SegmentInSpace.h"
 #include "SegmentOpacity.h"
@@ -253,6 +255,7 @@ const Row Table[] = {
   { F::VisibilitySweep, &ComputeLightingDec, OwnDepth },
   { F::OcclusionNone, &ComputeLightingDec, OcclusionNone },
   { F::Occlusion, &ComputeLightingDec, Occlusion },
+  { F::OcclusionGathered, &ComputeLightingDec, OcclusionGathered },
   { F::AmbientLight, &ComputeLightingDec, AmbientColor },
   { F::AmbientAlone, &ComputeLightingDec, AmbientAlone },
   { F::Shadows, &ComputeLightingDec, ShadowLookup },
@@ -318,6 +321,7 @@ const Row Table[] = {
   { F::EmptySpace, &BaseDec, EmptySpaceDec },
   { F::EmptySpaceOfSamples, &BaseImpl, EmptySpaceOfSamples },
   { F::EmptySpaceOfSegments, &BaseImpl, EmptySpaceOfSegments },
+  { F::SeenSamples, &BaseImpl, SeenSamples },
   { F::Lines, &ComputeRayDirectionDec, LineLookup },
   { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
   { F::LineBlock, &ComputeRayDirectionDec, LineBlock },
@@ -414,6 +418,10 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
   std::string text = TextFor(ComputeLightingDec, features);
   const bool replaces = features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone);
   place.KeepsVTKText = !replaces;
+  if (features.Has(OpticsFeature::OcclusionGathered))
+  {
+    text.insert(0, "#define OPTICS_GATHER_SAMPLES " + std::to_string(features.NumberOfGatherSamples) + "\n");
+  }
   if (replaces || features.Has(OpticsFeature::Shadows))
   {
     text.insert(0, NumbersText(features));

@@ -113,6 +113,8 @@ std::string SweepFragmentShader(const std::string& ray, const SweepProgram::Kind
   text.insert(behindVersion,
     "#define OPTICS_SWEEP\n#define OPTICS_SWEEP_DIRECTIONS " + std::to_string(kind.Directions) + "\n" +
       (kind.IsToViewer ? "#define OPTICS_SWEEP_TO_VIEWER\n" : "") +
+      (kind.IsAboutEye ? "#define OPTICS_SWEEP_ABOUT_EYE\n" : "") +
+      (kind.IsByDirection ? "#define OPTICS_SWEEP_BY_DIRECTION\n" : "") +
       (kind.HasGeometry ? "#define OPTICS_SWEEP_GEOMETRY\n" : ""));
   return text + (kind.IsDisk ? SweepDisk : SweepDirections) + SweepMain;
 }

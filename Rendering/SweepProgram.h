@@ -25,11 +25,14 @@ public:
     bool IsDisk;      // [Schott2009]'s recursion
     bool IsToViewer;  // directions meet at the viewer
     bool HasGeometry; // opaque, beside the volume
+    bool IsAboutEye;    // the cone's axis is the direction to the viewer
+    bool IsByDirection; // what is left of each direction is kept, not of their mean
 
     bool operator==(const Kind& other) const
     {
       return this->Directions == other.Directions && this->IsDisk == other.IsDisk &&
-        this->IsToViewer == other.IsToViewer && this->HasGeometry == other.HasGeometry;
+        this->IsToViewer == other.IsToViewer && this->HasGeometry == other.HasGeometry &&
+        this->IsAboutEye == other.IsAboutEye && this->IsByDirection == other.IsByDirection;
     }
   };
 

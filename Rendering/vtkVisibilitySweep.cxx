@@ -137,17 +137,24 @@ int vtkVisibilitySweep::GetNumberOfChannels() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkVisibilitySweep::IsByDirection() const
+{
+  return this->KeepDirections && this->Algorithm == DirectionSweep;
+}
+
+//------------------------------------------------------------------------------
 bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
 {
   std::copy(grid.GetSize(), grid.GetSize() + 3, this->GridSize);
   const SweepTarget::Format format = { { this->GridSize[0], this->GridSize[1], this->GridSize[2] },
-    this->GetNumberOfChannels(), this->Precision };
+    this->GetNumberOfChannels(), this->Precision, this->IsByDirection() };
   if (grid.IsEmpty() || !this->Internals->Target.Allocate(volume.Window, format))
   {
     return false;
   }
   const SweepProgram::Kind kind = { this->GetNumberOfChannels(), this->Algorithm != DirectionSweep,
-    grid.GetIsPerspective() && this->ViewerDistance > 0.0, volume.Geometry != nullptr };
+    grid.GetIsPerspective() && this->ViewerDistance > 0.0, volume.Geometry != nullptr,
+    grid.GetIsPerspective() && this->IsByDirection(), this->IsByDirection() };
   vtkShaderProgram* program = this->Internals->Program.Use(volume.Window, volume.Ray, kind);
   if (program)
   {
@@ -337,6 +344,7 @@ void vtkVisibilitySweep::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TrueDistances: " << (this->TrueDistances ? "on" : "off") << "\n";
   os << indent << "Precision: " << this->Precision << "\n";
   os << indent << "ViewerDistance: " << this->ViewerDistance << "\n";
+  os << indent << "KeepDirections: " << (this->KeepDirections ? "on" : "off") << "\n";
   os << indent << "SweepCount: " << this->SweepCount << "\n";
   os << indent << "GridSize: " << this->GridSize[0] << ' ' << this->GridSize[1] << ' ' << this->GridSize[2]
      << "\n";
