@@ -100,6 +100,7 @@ set(rendering_sources
   MaterialSearch
   MultiSampleRules
   MultiSampleTerm
+  OcclusionGathering
   OcclusionTerm
   OpaqueDepth
   OpticsFactory

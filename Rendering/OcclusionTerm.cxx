@@ -3,6 +3,7 @@
 
 #include "OcclusionTerm.h"
 
+#include "OcclusionGathering.h"
 #include "Optics.h"
 #include "SceneNeeds.h"
 #include "SweepViews.h"
@@ -58,7 +59,7 @@ void OcclusionTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& featur
   if (HasOcclusion(scene))
   {
     AddSweepFeatures(scene, features);
-    features.Add(F::Occlusion);
+    GathersOcclusion(scene) ? AddGatheringFeatures(scene, features) : features.Add(F::Occlusion);
     features.Add(IntegratesInData(scene) ? F::OwnOpacityInData : F::OwnOpacity);
   }
   else
@@ -94,7 +95,11 @@ void OcclusionTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* progr
   vtkTextureObject* texture = isSwept ? this->Eye->GetTexture() : scene.Mapper->GetVolumeTexture();
   texture->Activate(); // a sampler needs some texture of its kind
   program->SetUniformi("in_opticsOcclusion", texture->GetTextureUnit());
-  SetGridUniform(grid, volume, "in_opticsOcclusionGrid", program);
+  SetGridUniform(grid, volume, "in_opticsOcclusionGrid", program, GathersOcclusion(scene));
+  if (GathersOcclusion(scene))
+  {
+    SetGatheringUniforms(scene, volume, grid, isSwept, program);
+  }
   const double cosine = std::cos(vtkMath::RadiansFromDegrees(this->Eye->GetConeAngle()));
   const double numbers[3] = { 1.0 * grid.GetSize()[2], optics::MeanWayOut(cosine), isSwept ? 1.0 : 0.0 };
   program->SetUniform3f("in_opticsOcclusionNumbers", numbers);
@@ -116,6 +121,7 @@ bool OcclusionTerm::Sweep(
     return false;
   }
   SetSweepKnobs(scene, this->Eye);
+  this->Eye->SetKeepDirections(GathersOcclusion(scene));
   this->Eye->SetConeAngle(scene.Optics->GetOcclusionAngle());
   const bool isSwept = this->Eye->Sweep(volume, grid);
   if (!isSwept && !grid.IsEmpty())

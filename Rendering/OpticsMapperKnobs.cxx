@@ -187,6 +187,13 @@ void vtkOpticsVolumeMapper::SetVisibilityDiskSize(int size)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::SetVisibilityGatherSamples(int samples)
+{
+  volumeoptics::SetWithinRange(
+    this, "VisibilityGatherSamples", samples, 0, 16, this->VisibilityGatherSamples);
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetVisibilityPrecision(int bits)
 {
   volumeoptics::SetPrecision(this, "VisibilityPrecision", bits, this->VisibilityPrecision);
@@ -208,6 +215,7 @@ void vtkOpticsVolumeMapper::SetQuality(int quality)
   this->SetFramePrecision(preset.Bits);
   this->SetVisibilityGridSize(preset.VisibilityGridSize);
   this->SetVisibilitySamples(preset.VisibilitySamples);
+  this->SetVisibilityGatherSamples(preset.VisibilityGatherSamples);
   this->SetVisibilityPrecision(preset.VisibilityPrecision);
   this->GetAmbientCovarianceFilter()->SetNumberOfSamples(preset.Samples);
   this->GetAmbientCovarianceFilter()->SetFilterStandardDeviation(preset.FilterStandardDeviation);
@@ -332,6 +340,7 @@ void vtkOpticsVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisibilityAlgorithm: " << this->GetVisibilityAlgorithmAsString() << "\n";
   os << indent << "VisibilityDiskSize: " << this->VisibilityDiskSize << "\n";
   os << indent << "VisibilityTrueDistances: " << (this->VisibilityTrueDistances ? "on" : "off") << "\n";
+  os << indent << "VisibilityGatherSamples: " << this->VisibilityGatherSamples << "\n";
   os << indent << "VisibilityPrecision: " << this->VisibilityPrecision << "\n";
   os << indent << "TablePrecision: " << this->TablePrecision << "\n";
   os << indent << "SkipEmptySpace: " << (this->SkipEmptySpace ? "on" : "off") << "\n";

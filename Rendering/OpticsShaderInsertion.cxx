@@ -81,6 +81,10 @@ bool InsertLighting(std::string& fragment, const OpticsFeatures& features)
   std::string text = OpticsText(ComputeLightingDec, features);
   const bool replaces = features.Has(OpticsFeature::Reflectance) || features.Has(OpticsFeature::AmbientAlone);
   place.KeepsVTKText = !replaces;
+  if (features.Has(OpticsFeature::OcclusionGathered))
+  {
+    text.insert(0, "#define OPTICS_GATHER_SAMPLES " + std::to_string(features.NumberOfGatherSamples) + "\n");
+  }
   if (replaces || features.Has(OpticsFeature::Shadows))
   {
     text.insert(0, NumbersText(features));

@@ -67,6 +67,7 @@
 #include "NormalForCentral.h"
 #include "NormalLookup.h"
 #include "Occlusion.h"
+#include "OcclusionGathered.h"
 #include "OcclusionNone.h"
 #include "Opacity.h"
 #include "OpacityAt2D.h"
@@ -101,6 +102,7 @@
 #include "ScalarPairExtrapolated.h"
 #include "ScalarPairFetched.h"
 #include "ScatteringPhase.h"
+#include "SeenSamples.h"
 #include "SegmentInData.h"
 #include "SegmentInSpace.h"
 #include "SegmentOpacity.h"
@@ -221,6 +223,7 @@ const Row Table[] = {
   { F::VisibilitySweep, &ComputeLightingDec, OwnDepth },
   { F::OcclusionNone, &ComputeLightingDec, OcclusionNone },
   { F::Occlusion, &ComputeLightingDec, Occlusion },
+  { F::OcclusionGathered, &ComputeLightingDec, OcclusionGathered },
   { F::AmbientLight, &ComputeLightingDec, AmbientColor },
   { F::AmbientAlone, &ComputeLightingDec, AmbientAlone },
   { F::Shadows, &ComputeLightingDec, ShadowLookup },
@@ -289,6 +292,7 @@ const Row Table[] = {
   { F::EmptySpace, &BaseDec, EmptySpaceDec },
   { F::EmptySpaceOfSamples, &BaseImpl, EmptySpaceOfSamples },
   { F::EmptySpaceOfSegments, &BaseImpl, EmptySpaceOfSegments },
+  { F::SeenSamples, &BaseImpl, SeenSamples },
   { F::Lines, &ComputeRayDirectionDec, LineLookup },
   { F::LineBlockNone, &ComputeRayDirectionDec, LineBlockNone },
   { F::LineBlock, &ComputeRayDirectionDec, LineBlock },

@@ -78,6 +78,8 @@ enum class OpticsFeature
   OwnOpacity,
   OwnOpacityInData,
   Occlusion,
+  OcclusionGathered,
+  SeenSamples,
   Shadows,
   DataSpaceFormulas,
   VisibilityFormulas,
@@ -117,11 +119,13 @@ public:
   bool operator==(const OpticsFeatures& other) const
   {
     return this->Bits == other.Bits && this->NumberOfLights == other.NumberOfLights &&
-      this->NumberOfShadowViews == other.NumberOfShadowViews;
+      this->NumberOfShadowViews == other.NumberOfShadowViews &&
+      this->NumberOfGatherSamples == other.NumberOfGatherSamples;
   }
 
   int NumberOfLights = 0;
   int NumberOfShadowViews = 0;
+  int NumberOfGatherSamples = 0;
 
 private:
   std::bitset<static_cast<std::size_t>(OpticsFeature::Count)> Bits;

@@ -14,9 +14,10 @@ struct QualityPreset
   double FilterStandardDeviation; // voxels
   int VisibilityGridSize;
   int VisibilitySamples;
+  int VisibilityGatherSamples;
   int VisibilityPrecision;
 };
-const QualityPreset QualityPresets[] = { {}, { 1.0, 0.5, 8, 100, 1.0, 64, 4, 16 },
-  { 0.5, 1.0, 8, 1000, 1.0, 128, 8, 16 }, { 0.25, 1.0, 16, 4096, 0.0, 256, 16, 32 } };
+const QualityPreset QualityPresets[] = { {}, { 1.0, 0.5, 8, 100, 1.0, 64, 4, 0, 16 },
+  { 0.5, 1.0, 8, 1000, 1.0, 96, 8, 4, 16 }, { 0.25, 1.0, 16, 4096, 0.0, 128, 16, 6, 16 } };
 
 #endif

@@ -232,6 +232,18 @@ bool HasOcclusion(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
+bool GathersOcclusion(const OpticsScene& scene)
+{
+  const bool isWanted = scene.Mapper->GetVisibilityGatherSamples() > 0 &&
+    scene.Mapper->GetVisibilityAlgorithm() == vtkOpticsVolumeMapper::DirectionSweep;
+  auto* image = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput());
+  const bool isCut = scene.Mapper->GetCropping() || scene.Mapper->GetMaskInput() ||
+    (image && (image->HasAnyBlankPoints() || image->HasAnyBlankCells()));
+  return isWanted && HasOcclusion(scene) && !isCut && !scene.Mapper->HasPartitions() && !Is2D(scene) &&
+    !HasGradientOpacity(scene) && !ReplacesIntegral(scene) && !ReplacesClassification(scene) && !HasLineVoxels(scene);
+}
+
+//------------------------------------------------------------------------------
 bool HasGradientOpacity(const OpticsScene& scene)
 {
   vtkVolumeProperty* property = scene.Volume->GetProperty();
@@ -316,7 +328,8 @@ bool NeedsFrames(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool NeedsOpacityTable(const OpticsScene& scene)
 {
-  return HasExtinctionSurface(scene) || (ReplacesIntegral(scene) && !IsPreIntegrated(scene));
+  return HasExtinctionSurface(scene) || GathersOcclusion(scene) ||
+    (ReplacesIntegral(scene) && !IsPreIntegrated(scene));
 }
 
 //------------------------------------------------------------------------------

@@ -60,6 +60,10 @@ bool WantsShadows(const OpticsScene& scene);
 /** Whether it is darkened by what is in front. */
 bool HasOcclusion(const OpticsScene& scene);
 
+/** Whether rays look at the volume about a sample before the sweep's result is looked up: where one function of the
+ * scalar says what is there. */
+bool GathersOcclusion(const OpticsScene& scene);
+
 bool HasGradientOpacity(const OpticsScene& scene);
 bool Is2D(const OpticsScene& scene);
 bool HasLabels(const OpticsScene& scene);

@@ -154,7 +154,7 @@ void SweepGrid::Divide(const Resolution& resolution)
 }
 
 //------------------------------------------------------------------------------
-void SweepGrid::GetWorldToTexture(double matrix[16]) const
+void SweepGrid::GetWorldToTexture(double matrix[16], bool isInMiddle) const
 {
   const double sides[2] = { this->Window[1] - this->Window[0], this->Window[3] - this->Window[2] };
   const double depth = this->IsEmpty() ? 1.0 : this->Size[2] * this->SliceDistance;
@@ -165,8 +165,8 @@ void SweepGrid::GetWorldToTexture(double matrix[16]) const
     viewToTexture[4 * axis + (this->IsPerspective ? 2 : 3)] = -this->Window[2 * axis] / sides[axis];
   }
   viewToTexture[10] = 1.0 / depth;
-  // the middle of a layer is what reaches the front of a slice
-  viewToTexture[11] = -(this->Begin + 0.5 * this->SliceDistance) / depth;
+  // the middle of a layer is what reaches the front of a slice, or its middle
+  viewToTexture[11] = -(this->Begin + (isInMiddle ? 0.0 : 0.5 * this->SliceDistance)) / depth;
   viewToTexture[this->IsPerspective ? 14 : 15] = 1.0;
   vtkMatrix4x4::Multiply4x4(viewToTexture, this->WorldToView, matrix);
 }

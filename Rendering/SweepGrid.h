@@ -67,7 +67,7 @@ public:
    * World coordinates to (x w, y w, z, w), row by row, with the texture coordinates x, y and z at which is kept
    * what reaches the slice in front of a point. (A point may lie anywhere in its own slice.)
    */
-  void GetWorldToTexture(double matrix[16]) const;
+  void GetWorldToTexture(double matrix[16], bool isInMiddle = false) const;
 
 private:
   bool FindDepths(const View& view, const double inView[24]);

@@ -115,6 +115,8 @@ std::string SweepFragmentShader(const std::string& ray, const SweepProgram::Kind
     "#define OPTICS_SWEEP\n#define OPTICS_SWEEP_DIRECTIONS " + std::to_string(kind.Directions) + "\n" +
       (kind.IsToViewer ? "#define OPTICS_SWEEP_TO_VIEWER\n" : "") +
       (kind.HasGeometry ? "#define OPTICS_SWEEP_GEOMETRY\n" : "") +
+      (kind.IsAboutEye ? "#define OPTICS_SWEEP_ABOUT_EYE\n" : "") +
+      (kind.IsByDirection ? "#define OPTICS_SWEEP_BY_DIRECTION\n" : "") +
       (kind.IsOfBlocks ? "#define OPTICS_SWEEP_OF_BLOCKS\n" : ""));
   const char* sweep = kind.IsDisk ? SweepDisk : SweepDirections;
   return text + (kind.FillsBlock ? SweepFill : sweep) + SweepMain;

@@ -25,6 +25,8 @@ public:
     bool IsDisk;      // [Schott2009]'s recursion
     bool IsToViewer;  // directions meet at the viewer
     bool HasGeometry; // opaque, beside the volume
+    bool IsAboutEye;    // the cone's axis is the direction to the viewer
+    bool IsByDirection; // what is left of each direction is kept, not of their mean
     bool FillsBlock;  // finds the opacity of froxels in one block of the volume
     bool IsOfBlocks;  // takes what was found in all blocks
 
@@ -32,6 +34,7 @@ public:
     {
       return this->Directions == other.Directions && this->IsDisk == other.IsDisk &&
         this->IsToViewer == other.IsToViewer && this->HasGeometry == other.HasGeometry &&
+        this->IsAboutEye == other.IsAboutEye && this->IsByDirection == other.IsByDirection &&
         this->FillsBlock == other.FillsBlock && this->IsOfBlocks == other.IsOfBlocks;
     }
   };

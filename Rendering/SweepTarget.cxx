@@ -85,10 +85,12 @@ bool SweepTarget::Allocate(vtkOpenGLRenderWindow* window, const Format& format)
   const auto& size = format.Size;
   const int components = format.Directions == 1 ? 1 : 4;
   vtkTextureObject* visibility = this->Visibility.Renew(window);
-  visibility->SetInternalFormat(InternalFormat(1, format.Bits));
+  const int kept = format.IsByDirection ? 4 : 1;
+  visibility->SetInternalFormat(InternalFormat(kept, format.Bits));
   this->Visibility.Interpolate();
   visibility->SetWrapR(vtkTextureObject::ClampToEdge);
-  bool isAllocated = visibility->Create3DFromRaw(size[0], size[1], size[2], 1, VTK_FLOAT, nullptr);
+  bool isAllocated = visibility->Create3DFromRaw(
+    size[0], size[1], size[2] * format.GetNumberOfLayers(), kept, VTK_FLOAT, nullptr);
   for (Textures& textures : this->Passed)
   {
     for (int i = 0; i < format.GetNumberOfTextures(); ++i)
@@ -118,14 +120,23 @@ bool SweepTarget::IsComplete()
 //------------------------------------------------------------------------------
 void SweepTarget::Attach(int slice, Textures& written)
 {
-  glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, this->Visibility->GetHandle(), 0, slice);
-  unsigned int buffers[1 + LargestNumberOfTextures] = { GL_COLOR_ATTACHMENT0 };
-  for (int i = 0; i < this->Current.GetNumberOfTextures(); ++i)
+  unsigned int buffers[2 * LargestNumberOfTextures];
+  const int layers = this->Current.GetNumberOfLayers();
+  const int textures = this->Current.GetNumberOfTextures();
+  for (int i = 0; i < textures; ++i)
   {
-    buffers[1 + i] = GL_COLOR_ATTACHMENT1 + i;
-    glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[1 + i], GL_TEXTURE_2D, written[i]->GetHandle(), 0);
+    unsigned int* kept = buffers + 2 * i;
+    unsigned int* passing = kept + 1;
+    *kept = i < layers ? GL_COLOR_ATTACHMENT0 + 2 * i : GL_NONE;
+    if (i < layers)
+    {
+      const int layer = slice + i * this->Current.Size[2];
+      glFramebufferTextureLayer(GL_FRAMEBUFFER, *kept, this->Visibility->GetHandle(), 0, layer);
+    }
+    *passing = GL_COLOR_ATTACHMENT0 + 2 * i + 1;
+    glFramebufferTexture2D(GL_FRAMEBUFFER, *passing, GL_TEXTURE_2D, written[i]->GetHandle(), 0);
   }
-  glDrawBuffers(1 + this->Current.GetNumberOfTextures(), buffers);
+  glDrawBuffers(2 * textures, buffers);
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +145,7 @@ void SweepTarget::FillWithLight(Textures& textures)
 {
   this->Attach(0, textures);
   // but not the slice that is attached first: it may have been filled before
-  for (int i = 1; i <= this->Current.GetNumberOfTextures(); ++i)
+  for (int i = 1; i < 2 * this->Current.GetNumberOfTextures(); i += 2)
   {
     glClearBufferfv(GL_COLOR, i, Light);
   }
@@ -188,7 +199,8 @@ std::size_t SweepTarget::GetMemorySize() const
   const std::size_t froxels = std::size_t(1) * size[0] * size[1];
   const int channels = this->Current.Directions == 1 ? 1 : 4 * this->Current.GetNumberOfTextures();
   const std::size_t passed = 2 * froxels * channels;
-  return (froxels * size[2] * this->Current.Bits + passed * BitsOfPassed(this->Current)) / 8;
+  const int kept = this->Current.IsByDirection ? channels : 1;
+  return (froxels * size[2] * kept * this->Current.Bits + passed * BitsOfPassed(this->Current)) / 8;
 }
 
 //------------------------------------------------------------------------------

@@ -30,11 +30,14 @@ public:
     std::array<int, 3> Size;
     int Directions; // up to four in a texture
     int Bits;       // of a number: 8, 16, 32
+    bool IsByDirection; // what is left of each direction is kept, not of their mean
 
     int GetNumberOfTextures() const { return (this->Directions + 3) / 4; }
+    int GetNumberOfLayers() const { return this->IsByDirection ? this->GetNumberOfTextures() : 1; }
     bool operator==(const Format& other) const
     {
-      return this->Size == other.Size && this->Directions == other.Directions && this->Bits == other.Bits;
+      return this->Size == other.Size && this->Directions == other.Directions && this->Bits == other.Bits &&
+        this->IsByDirection == other.IsByDirection;
     }
   };
 

@@ -168,10 +168,10 @@ vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgra
 
 //------------------------------------------------------------------------------
 void SetGridUniform(const SweepGrid& grid, const vtkVisibilitySweep::Volume& volume, const char* name,
-  vtkShaderProgram* program)
+  vtkShaderProgram* program, bool isInMiddle)
 {
   double matrix[16];
-  grid.GetWorldToTexture(matrix);
+  grid.GetWorldToTexture(matrix, isInMiddle);
   vtkMatrix4x4::Multiply4x4(matrix, volume.TextureToWorld, matrix);
   float columns[16];
   for (int i = 0; i < 16; ++i)

@@ -37,6 +37,6 @@ vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgra
 
 /** World to the texture coordinates of the grid, for VTK's texture coordinates. */
 void SetGridUniform(const SweepGrid& grid, const vtkVisibilitySweep::Volume& volume, const char* name,
-  vtkShaderProgram* program);
+  vtkShaderProgram* program, bool isInMiddle = false);
 
 #endif

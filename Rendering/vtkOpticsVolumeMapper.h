@@ -273,6 +273,20 @@ public:
 
   ///@{
   /**
+   * Occlusion by DirectionSweep: samples of each direction of the cone near the point that is shaded, in [0, 16],
+   * before the direction is looked up in the grid (final gathering). Default 4. They lie on a way of 2.5 froxels,
+   * closer to each other towards the point, and see what is thinner than a froxel. 0: what is nearer than a slice
+   * is taken from the eye's ray alone, which takes an eighth of the memory (of 8 directions), less time, and leaves
+   * about three times the error. They are left out where opacity is not a function of the scalar alone, and with
+   * cropping, masks, blanked points, integration in data space, pre-integration, or several samples to a
+   * classification.
+   */
+  vtkGetMacro(VisibilityGatherSamples, int);
+  void SetVisibilityGatherSamples(int samples);
+  ///@}
+
+  ///@{
+  /**
    * Bits of each number of the grid on the GPU: 8, 16 or 32 (float). Default 16. Other numbers are refused
    * with a warning.
    */
@@ -478,6 +492,7 @@ private:
   int VisibilityAlgorithm = DirectionSweep;
   int VisibilityDiskSize = 5;
   bool VisibilityTrueDistances = true;
+  int VisibilityGatherSamples = 4;
   int VisibilityPrecision = 16;
   int TablePrecision = 32;
   int LinePrecision = 16;

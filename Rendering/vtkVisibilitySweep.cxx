@@ -181,11 +181,17 @@ int vtkVisibilitySweep::GetNumberOfChannels() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkVisibilitySweep::IsByDirection() const
+{
+  return this->KeepDirections && this->Algorithm == DirectionSweep;
+}
+
+//------------------------------------------------------------------------------
 bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
 {
   std::copy(grid.GetSize(), grid.GetSize() + 3, this->GridSize);
   const SweepTarget::Format format = { { this->GridSize[0], this->GridSize[1], this->GridSize[2] },
-    this->GetNumberOfChannels(), this->Precision };
+    this->GetNumberOfChannels(), this->Precision, this->IsByDirection() };
   if (grid.IsEmpty() || !this->Internals->Target.Allocate(volume.Window, format))
   {
     return false;
@@ -195,8 +201,8 @@ bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
     return this->FillBlock(volume, grid);
   }
   const SweepProgram::Kind kind = { this->GetNumberOfChannels(), this->Algorithm != DirectionSweep,
-    grid.GetIsPerspective() && this->ViewerDistance > 0.0, volume.Geometry != nullptr, false,
-    volume.IsInBlocks };
+    grid.GetIsPerspective() && this->ViewerDistance > 0.0, volume.Geometry != nullptr,
+    grid.GetIsPerspective() && this->IsByDirection(), this->IsByDirection(), false, volume.IsInBlocks };
   vtkShaderProgram* program = this->Internals->Program.Use(volume.Window, volume.Ray, kind);
   if (program)
   {
@@ -210,8 +216,9 @@ bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
 bool vtkVisibilitySweep::FillBlock(const Volume& volume, const SweepGrid& grid)
 {
   SweepTarget& opacity = this->Internals->Opacity;
-  const SweepTarget::Format format = { { this->GridSize[0], this->GridSize[1], this->GridSize[2] }, 1, 32 };
-  const SweepProgram::Kind kind = { 1, false, false, false, true, false };
+  const SweepTarget::Format format = { { this->GridSize[0], this->GridSize[1], this->GridSize[2] }, 1, 32,
+    false };
+  const SweepProgram::Kind kind = { 1, false, false, false, false, false, true, false };
   vtkShaderProgram* program = opacity.Allocate(volume.Window, format)
     ? this->Internals->BlockProgram.Use(volume.Window, volume.Ray, kind)
     : nullptr;
@@ -393,6 +400,7 @@ void vtkVisibilitySweep::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TrueDistances: " << (this->TrueDistances ? "on" : "off") << "\n";
   os << indent << "Precision: " << this->Precision << "\n";
   os << indent << "ViewerDistance: " << this->ViewerDistance << "\n";
+  os << indent << "KeepDirections: " << (this->KeepDirections ? "on" : "off") << "\n";
   os << indent << "SweepCount: " << this->SweepCount << "\n";
   os << indent << "GridSize: " << this->GridSize[0] << ' ' << this->GridSize[1] << ' ' << this->GridSize[2]
      << "\n";

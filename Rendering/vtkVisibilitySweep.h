@@ -119,6 +119,18 @@ public:
   void SetViewerDistance(double distance);
   ///@}
 
+  ///@{
+  /**
+   * DirectionSweep: the texture holds what reaches the middle of each froxel by each direction, four directions to
+   * a texel and each next four behind all slices, for rays that begin there (final gathering); and in perspective
+   * the cone's axis is the direction to the viewer. Default off: the texture holds the mean over the cone of what
+   * reaches the front of each slice.
+   */
+  vtkGetMacro(KeepDirections, bool);
+  vtkSetMacro(KeepDirections, bool);
+  vtkBooleanMacro(KeepDirections, bool);
+  ///@}
+
   /** Sweeps done. A sweep of what was swept last is not done again. */
   vtkGetMacro(SweepCount, int);
 
@@ -151,7 +163,8 @@ public:
   /** False, with what is bound and drawn on unchanged: the grid is empty, or it can't be done here. */
   bool Sweep(const Volume& volume, const SweepGrid& grid);
 
-  /** What reaches the front of each slice (SweepGrid::GetWorldToTexture); null before the first sweep. */
+  /** What reaches the front of each slice, or see KeepDirections (SweepGrid::GetWorldToTexture); null before the
+   * first sweep. */
   vtkTextureObject* GetTexture();
 
   /** Of the textures, in bytes. */
@@ -167,6 +180,7 @@ private:
   void operator=(const vtkVisibilitySweep&) = delete;
 
   int GetNumberOfChannels() const;
+  bool IsByDirection() const;
   void Draw(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
   void SetUniforms(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
   void SetConeUniforms(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
@@ -182,6 +196,7 @@ private:
   bool TrueDistances = true;
   int Precision = 16;
   double ViewerDistance = 0.0;
+  bool KeepDirections = false;
   int SweepCount = 0;
   int GridSize[3] = { 0, 0, 0 };
 

@@ -66,6 +66,7 @@ struct VisibilitySettings
   int GridSize = 128;
   double SliceDistance = 1.0; // in sides of a froxel
   int Samples = 8;            // directions
+  int GatherSamples = 4;      // of each
   int DiskSize = 5;
 };
 
@@ -99,7 +100,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
   CameraSettings, Azimuth, Elevation, Roll, Zoom, Position, FocalPoint, ViewUp)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightingSettings, Function, Scale, StepLength, HybridNormals, Rules)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VisibilitySettings, OcclusionAngle, AmbientColor, Shadows, ShadowAngle,
-  Algorithm, GridSize, SliceDistance, Samples, DiskSize)
+  Algorithm, GridSize, SliceDistance, Samples, GatherSamples, DiskSize)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClippingSettings, Normal, Place)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LightSettings, Azimuth, Elevation, Intensity, OneSided)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PictureSettings, Optics, Lighting, Visibility, Ambient, Camera, Lights,

@@ -34,13 +34,22 @@ struct NamedAlgorithm
   SweepSettings Settings;
 };
 
-// By the mapper's way unless named otherwise.
+// By the mapper's way without gathering unless named otherwise.
 NamedAlgorithm Directions(int count)
 {
   NamedAlgorithm result;
   result.Settings.samples = count;
   result.Settings.own = reference::OwnOpacity::AlongRay;
   result.Name = "sweep " + std::to_string(count);
+  return result;
+}
+
+NamedAlgorithm Gathered(int directions)
+{
+  NamedAlgorithm result = Directions(directions);
+  result.Settings.own = reference::OwnOpacity::Gathered;
+  result.Settings.axis = reference::SweepAxis::Pixel;
+  result.Name = "gathered " + std::to_string(directions);
   return result;
 }
 
@@ -88,7 +97,7 @@ NamedAlgorithm ApproximatedDisk()
 
 std::vector<NamedAlgorithm> Algorithms()
 {
-  return { Directions(4), Directions(8), Directions(16), DirectionsByHalfSlices(), DirectionsAboutTheEye(),
+  return { Gathered(4), Gathered(8), Gathered(16), Directions(4), Directions(8), Directions(16), DirectionsByHalfSlices(), DirectionsAboutTheEye(),
     Disk("disk", SweepAlgorithm::Disk), Disk("disk by solid angle", SweepAlgorithm::DiskBySolidAngle),
     ApproximatedDisk(), PublishedDisk() };
 }
@@ -204,6 +213,7 @@ std::vector<Setting> Settings()
   AddKnob(settings, "grid size", GridSizes, &VisibilityKnobs::GridSize);
   AddKnob(settings, "slice distance", SliceDistances, &VisibilityKnobs::SliceDistance);
   AddKnob(settings, "directions", { 4, 8, 16 }, &VisibilityKnobs::Samples);
+  AddKnob(settings, "gather samples", { 0, 2, 3, 4, 6, 8 }, &VisibilityKnobs::GatherSamples);
   AddKnob(settings, "bits", { 8, 16, 32 }, &VisibilityKnobs::Precision);
   for (const std::string algorithm : { "disk", "disk-solid-angle" })
   {
@@ -231,28 +241,61 @@ std::vector<Setting> Settings()
   return settings;
 }
 
+// What frames are timed with; the first is that of the plot. Presets are timed with all of them.
+const FrameKind Kinds[] = { { true, false }, { false, false }, { true, true }, { false, true } };
+
+std::string Name(const FrameKind& kind)
+{
+  return std::string(kind.IsLit ? "lit" : "unlit") + (kind.SkipsEmptySpace ? ", skipping" : "");
+}
+
+class FrameTable
+{
+public:
+  explicit FrameTable(const std::string& folder)
+    : Csv(folder + "/visibility.csv",
+        { "knob", "value", "angle", "mean error", "maximum error", "frame", "seconds", "seconds without",
+          "ratio", "terms' KiB" })
+  {
+  }
+
+  void Add(const Setting& setting, const PictureError& error, const FrameKind& kind, const FrameCost& cost)
+  {
+    this->Csv.Write(setting.Knob, setting.Value, setting.Angle, error.Mean, error.Maximum, Name(kind),
+      cost.Seconds, cost.SecondsWithout, cost.Ratio(), cost.KiB);
+    std::printf("%s %s, %g degrees: error %.4f, at most %.3f; %s frame %.3g s, without %.3g s: %.2f times\n",
+      setting.Knob.c_str(), setting.Value.c_str(), setting.Angle, error.Mean, error.Maximum,
+      Name(kind).c_str(), cost.Seconds, cost.SecondsWithout, cost.Ratio());
+  }
+
+private:
+  CsvWriter Csv;
+};
+
 void TradeFrames(VisibilityBench& bench, const std::string& folder)
 {
   const Progress measuring("Frames");
-  CsvWriter csv(folder + "/visibility.csv",
-    { "knob", "value", "angle", "mean error", "maximum error", "seconds", "seconds without", "ratio",
-      "terms' KiB" });
-  Plot plot{ "Occlusion: time that it adds to a frame against error", "seconds", "mean absolute error", {} };
+  FrameTable table(folder);
+  Plot plot{ "Occlusion: time of a frame over that without it, against error", "frame over that without",
+    "mean absolute error", {} };
   for (const Setting& setting : Settings())
   {
     const PictureError error = bench.Judge(setting.Angle, setting.Knobs);
-    const FrameCost cost = bench.Time(setting.Angle, setting.Knobs);
-    csv.Write(setting.Knob, setting.Value, setting.Angle, error.Mean, error.Maximum, cost.Seconds,
-      cost.SecondsWithout, cost.Ratio(), cost.KiB);
-    std::printf("%s %s, %g degrees: error %.4f, at most %.3f; frame %.3g s, without %.3g s: %.2f times\n",
-      setting.Knob.c_str(), setting.Value.c_str(), setting.Angle, error.Mean, error.Maximum, cost.Seconds,
-      cost.SecondsWithout, cost.Ratio());
-    if (plot.Series.empty() || plot.Series.back().Name != setting.Knob)
+    const int kinds = setting.Knobs.Quality == "custom" ? 1 : static_cast<int>(std::size(Kinds));
+    for (int kind = 0; kind < kinds; ++kind)
     {
-      plot.Series.push_back({ setting.Knob, {} });
+      const FrameCost cost = bench.Time(setting.Angle, setting.Knobs, Kinds[kind]);
+      table.Add(setting, error, Kinds[kind], cost);
+      if (kind > 0)
+      {
+        continue;
+      }
+      if (plot.Series.empty() || plot.Series.back().Name != setting.Knob)
+      {
+        plot.Series.push_back({ setting.Knob, {} });
+      }
+      plot.Series.back().Points.push_back({ cost.Ratio(), error.Mean, setting.Value });
     }
-    plot.Series.back().Points.push_back(
-      { std::max(cost.Seconds - cost.SecondsWithout, 1.0e-4), error.Mean, setting.Value });
   }
   WriteSvg(folder + "/visibility.svg", plot);
 }

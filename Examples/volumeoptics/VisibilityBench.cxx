@@ -24,16 +24,18 @@
 
 namespace
 {
+constexpr double StepOfRays = 0.25; // of the truth, in voxels
 constexpr int TimedFrames = 5;
 constexpr double LeastWeight = 0.002; // of a sample: below, it can't be seen
 constexpr double SeenOpacity = 0.5;   // of a pixel whose error counts as a maximum
 
-// White, and lit by ambient light alone.
-PictureSettings Picture(const std::string& field)
+// White.
+PictureSettings Picture(const std::string& field, bool isLit)
 {
   PictureSettings picture = field == "cranium" ? Cranium() : MarschnerLobb();
   picture.Step = 0.5;
-  picture.Function.Shade = false;
+  picture.Function.Shade = isLit;
+  picture.Optics.Model = "vtk";
   picture.Function.Color = { { 0.0, 1.0, 1.0, 1.0 } };
   picture.Background = { 0.0, 0.0, 0.0 };
   return picture;
@@ -71,7 +73,7 @@ VisibilityBench::VisibilityBench(const Options& options)
   this->Software = this->Pictures->GetRendererName().find("pipe") != std::string::npos; // Mesa's rasterisers
   auto* volume = vtkVolume::SafeDownCast(this->Pictures->GetRenderer()->GetVolumes()->GetItemAsObject(0));
   this->World = reference::SceneFromVTK(this->Pictures->GetRenderer(), volume, options.Size, options.Size);
-  this->Things = std::make_unique<reference::Occluders>(this->World, this->World.grid.SmallestSpacing());
+  this->Things = std::make_unique<reference::Occluders>(this->World, StepOfRays * this->World.grid.SmallestSpacing());
   this->Points = reference::ShownPoints(this->World, LeastWeight);
   this->Opacity.resize(static_cast<std::size_t>(options.Size) * options.Size);
   for (const reference::ShownPoint& point : this->Points)
@@ -83,9 +85,10 @@ VisibilityBench::VisibilityBench(const Options& options)
 VisibilityBench::~VisibilityBench() = default;
 
 // angle: below 0 without occlusion.
-void VisibilityBench::Stage(VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs) const
+void VisibilityBench::Stage(VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs,
+  const FrameKind& kind) const
 {
-  PictureSettings picture = Picture(this->Setup.Field);
+  PictureSettings picture = Picture(this->Setup.Field, kind.IsLit);
   picture.Size = { size, size };
   picture.Visibility.OcclusionAngle = angle;
   picture.Quality = knobs.Quality;
@@ -93,8 +96,10 @@ void VisibilityBench::Stage(VolumeScene& scene, int size, double angle, const Vi
   picture.Visibility.GridSize = knobs.GridSize;
   picture.Visibility.SliceDistance = knobs.SliceDistance;
   picture.Visibility.Samples = knobs.Samples;
+  picture.Visibility.GatherSamples = knobs.GatherSamples;
   picture.Visibility.DiskSize = knobs.DiskSize;
   scene.GetMapper()->SetVisibilityPrecision(knobs.Precision);
+  scene.GetMapper()->SetSkipEmptySpace(kind.SkipsEmptySpace);
   scene.Apply(picture);
 }
 
@@ -156,10 +161,10 @@ double VisibilityBench::FrameSeconds(VolumeScene& scene) const
   return now() - start;
 }
 
-FrameCost VisibilityBench::Time(double angle, const VisibilityKnobs& knobs)
+FrameCost VisibilityBench::Time(double angle, const VisibilityKnobs& knobs, const FrameKind& kind)
 {
-  this->Stage(*this->WithOcclusion, this->Setup.FrameSize, angle, knobs);
-  this->Stage(*this->Without, this->Setup.FrameSize, -1.0, knobs);
+  this->Stage(*this->WithOcclusion, this->Setup.FrameSize, angle, knobs, kind);
+  this->Stage(*this->Without, this->Setup.FrameSize, -1.0, knobs, kind);
   this->WithOcclusion->Render();
   this->Without->Render();
   std::vector<double> with, without;

@@ -24,6 +24,7 @@ struct VisibilityKnobs
   int GridSize = 128;
   double SliceDistance = 1.0; // in sides of a froxel
   int Samples = 8;
+  int GatherSamples = 4;
   std::string Algorithm = "sweep"; // as VisibilitySettings
   int DiskSize = 5;
   int Precision = 16;
@@ -36,6 +37,13 @@ struct PictureError
 {
   double Mean = 0.0; // absolute, over all pixels by their opacity
   double Maximum = 0.0;
+};
+
+// What a frame is timed with and without occlusion.
+struct FrameKind
+{
+  bool IsLit = false; // by a light, as VTK does it (ShadeOn); else by ambient light alone
+  bool SkipsEmptySpace = false;
 };
 
 struct FrameCost
@@ -65,7 +73,7 @@ public:
 
   PictureError Judge(double angle, const VisibilityKnobs& knobs);
   // Frames with and without take turns, so that a noisy machine slows both. Medians.
-  FrameCost Time(double angle, const VisibilityKnobs& knobs);
+  FrameCost Time(double angle, const VisibilityKnobs& knobs, const FrameKind& kind = {});
 
   // Of the reference's algorithms, in double: at the picture's samples, and of its pixels.
   struct AlgorithmError
@@ -84,7 +92,8 @@ public:
   bool IsSoftware() const { return this->Software; }
 
 private:
-  void Stage(VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs) const;
+  void Stage(VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs,
+    const FrameKind& kind = {}) const;
   const std::vector<double>& Truth(double angle);
   std::vector<double> Rays(double angle, unsigned seed, const reference::Vector* axis = nullptr) const;
   AlgorithmError Compare(const std::vector<double>& values, double angle);

@@ -186,6 +186,7 @@ void VolumeScene::ApplyVisibility(const VisibilitySettings& visibility)
   this->Mapper->SetVisibilityGridSize(visibility.GridSize);
   this->Mapper->SetVisibilitySliceDistance(visibility.SliceDistance);
   this->Mapper->SetVisibilitySamples(visibility.Samples);
+  this->Mapper->SetVisibilityGatherSamples(visibility.GatherSamples);
   this->Mapper->SetVisibilityDiskSize(visibility.DiskSize);
 }
 

@@ -74,6 +74,32 @@ vec2 PlaceOnSlice(vec2 place, vec2 slope, float sliceDistance, float width, floa
   return (place * width + slope * sliceDistance) / otherWidth;
 }
 
+// A way that is given for a cone about (0, 0, -1), turned by the shortest turn to a cone about another axis. axis: of
+// length 1, to the open end, its z < 0.
+vec3 TurnToAxis(vec3 way, vec3 axis)
+{
+  float aside = (axis.y * way.x - axis.x * way.y) / (1.0 - axis.z);
+  vec2 across = axis.z * vec2(way.x, way.y) + way.z * vec2(axis.x, axis.y) - aside * vec2(axis.y, -axis.x);
+  return vec3(-across.x, -across.y, axis.x * way.x + axis.y * way.y - axis.z * way.z);
+}
+
+// A ray that goes along the slices, or away from the open end, never leaves them: it gets this rise at least, of its
+// length.
+const float LeastRise = 0.05;
+
+// The slope of a way to the open end, at negative z.
+vec2 SlopeOfWay(vec3 way)
+{
+  return vec2(way.x, way.y) / max(-way.z, LeastRise * length(way));
+}
+
+// A gathering ray is cut in parts, each twice as long as the one before: the share of the first of count in its length.
+// count in [1, 16].
+float FirstPartOfRay(int count)
+{
+  return 1.0 / (exp2(float(count)) - 1.0);
+}
+
 // What the points of a stretch of the ray see through it, on average, each as much as the eye sees of it:
 // int_0^1 exp(-x s) exp(-x r s) x ds / (1 - exp(-x)) for the depth x and the relative length r. opacity in
 // [0, 1] of the stretch; relativeLength >= 0 of the way out to that along the ray. 1 without opacity, and

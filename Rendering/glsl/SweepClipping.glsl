@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifdef OPTICS_SWEEP
-// Place ComputeRayDirection::Dec. VTK shortens its rays by the clipping planes; a sweep asks each point.
+// Place ComputeRayDirection::Dec. VTK shortens its rays by the clipping planes; a sweep, and a gathering ray, ask each point.
 bool opticsIsClipped(vec3 world)
 {
   bool isClipped = false;
@@ -14,4 +13,3 @@ bool opticsIsClipped(vec3 world)
   }
   return isClipped;
 }
-#endif

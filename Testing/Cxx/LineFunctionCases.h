@@ -100,6 +100,32 @@ protected:
       this->Add(55, std::cos(angle));
     }
     this->AddSlices();
+    this->AddGathering();
+  }
+
+  // Axes up to 85 degrees off that of the slices, and ways along and against both.
+  void AddGathering()
+  {
+    for (double tilt : { 0.0, 1e-4, 0.3, 1.0, 1.48 })
+    {
+      for (int i = 0; i < 40; ++i)
+      {
+        const double turn = this->Random.Uniform(0.0, 6.28);
+        FunctionCase c;
+        c.Normal = glm::vec3((i % 4 == 0 ? 1e-4 : 1.0) * this->Random.OnSphere());
+        c.ToViewer = glm::vec3(
+          std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), -std::cos(tilt));
+        for (int function : { 57, 58 })
+        {
+          c.Function = function;
+          this->Cases.push_back(c);
+        }
+      }
+    }
+    for (int count = 1; count <= 16; ++count)
+    {
+      this->Add(59, count);
+    }
   }
 
   void AddSlices()

@@ -288,6 +288,16 @@ vec4 EvaluateLast(int function, FunctionInput i)
   return OneNumber(function == 55 ? MeanWayOut(i.p.x) : MeanDepthOfShare(i.p.x)); // 55, 56
 }
 
+vec4 EvaluateGathering(int function, FunctionInput i)
+{
+  if (function == 57)
+  {
+    vec3 way = TurnToAxis(i.normal, i.toViewer);
+    return vec4(way.x, way.y, way.z, 0.0);
+  }
+  return function == 58 ? TwoNumbers(SlopeOfWay(i.normal)) : OneNumber(FirstPartOfRay(int(i.p.x))); // 58, 59
+}
+
 vec4 Evaluate(int function, FunctionInput i)
 {
   if (function < 10)
@@ -318,5 +328,9 @@ vec4 Evaluate(int function, FunctionInput i)
   {
     return EvaluateVisibility(function, i);
   }
-  return function < 54 ? EvaluateLineVoxel(function, i) : EvaluateLast(function, i);
+  if (function < 54)
+  {
+    return EvaluateLineVoxel(function, i);
+  }
+  return function < 57 ? EvaluateLast(function, i) : EvaluateGathering(function, i);
 }

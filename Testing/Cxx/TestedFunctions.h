@@ -212,6 +212,12 @@ const std::vector<TestedFunction>& TestedFunctions()
         return c.P.x < 0.1f ? value.x : 1.0 / c.P.x / std::sqrt(std::max(1.0 - double(c.P.x), 1e-7));
       },
       8.0, 32.0 },
+    // products of the way's and the axis' components, divided by 1 - z >= 1
+    { "TurnToAxis", [](const FunctionCase& c, const glm::dvec4&) { return double(glm::length(c.Normal)); }, 6.0,
+      12.0 },
+    { "SlopeOfWay", [](const FunctionCase&, const glm::dvec4& value) { return LargestOf(value) + 1.0; }, 6.0,
+      16.0 },
+    { "FirstPartOfRay", relative, 4.0, 16.0 },
   };
   return functions;
 }

@@ -14,6 +14,9 @@ namespace reference
 {
 namespace
 {
+// Of a gathering ray; the mapper's.
+constexpr double FroxelsOfRay = 2.5;
+
 // Corners of a box along its directions.
 std::vector<Vector> CornersOf(const Grid& grid)
 {
@@ -193,6 +196,11 @@ glm::dvec2 FroxelSweep::SlopeAt(const glm::dvec2& place, const Channel& channel,
   {
     return channel.ray.slope;
   }
+  if (this->Settings.axis == SweepAxis::Pixel)
+  {
+    const Vector toEye = -glm::normalize(Vector(place, 1.0));
+    return optics::SlopeOfWay(optics::TurnToAxis(Vector(channel.ray.slope, -1.0), toEye));
+  }
   const bool isDirection = this->Settings.algorithm == SweepAlgorithm::Directions;
   const double middle = 0.5 * (this->Frame.front + this->Frame.back);
   return channel.ray.slope * (isDirection ? middle / this->DistanceOf(slice) : 1.0) - place;
@@ -226,6 +234,10 @@ void FroxelSweep::SweepRow(int slice, int row, const std::vector<double>& depths
       const double leaving = arriving * std::exp(-depth * length);
       passed += channels[i].weight * leaving;
       next[isDirections ? i : 0][froxel] = isDirections ? leaving : passed;
+      if (this->Settings.own == OwnOpacity::Gathered)
+      {
+        this->Reaching[i][slice * next[0].size() + froxel] = std::sqrt(arriving * leaving);
+      }
     }
     if (this->Settings.own == OwnOpacity::None)
     {
@@ -247,6 +259,10 @@ FroxelSweep::FroxelSweep(const Occluders& occluders, const SliceFrame& frame, co
   std::vector<Layer> next = former;
   std::vector<double> depths(froxels);
   this->Values.resize(froxels * settings.froxels[2]);
+  if (settings.own == OwnOpacity::Gathered)
+  {
+    this->Reaching.assign(channels.size(), this->Values);
+  }
   for (int slice = 0; slice < settings.froxels[2]; ++slice)
   {
     vtkSMPTools::For(0, settings.froxels[1], [&](vtkIdType begin, vtkIdType end) {
@@ -265,12 +281,12 @@ FroxelSweep::FroxelSweep(const Occluders& occluders, const SliceFrame& frame, co
 }
 
 //------------------------------------------------------------------------------
-double FroxelSweep::At(const Vector& point) const
+// ahead: nearer to the open end
+double FroxelSweep::Interpolate(const Layer& values, const Vector& point, double ahead) const
 {
   const Vector place = this->Frame.ToPlace(point);
   const glm::dvec2 share =
     (glm::dvec2(place) - this->Frame.lowest) / (this->Frame.highest - this->Frame.lowest);
-  const double ahead = this->Settings.own == OwnOpacity::AlongRay ? 0.5 * this->SliceDistance() : 0.0;
   const double along = (place.z - ahead - this->Frame.front) / (this->Frame.back - this->Frame.front);
   const std::array<double, 3> shares = { share.x, share.y, along };
   std::array<int, 3> low, high;
@@ -294,21 +310,59 @@ double FroxelSweep::At(const Vector& point) const
       index[axis] = isUpper ? high[axis] : low[axis];
       weight *= isUpper ? rest[axis] : 1.0 - rest[axis];
     }
-    value += weight * this->Value(index[0], index[1], index[2]);
+    const std::size_t row = static_cast<std::size_t>(index[2]) * this->Settings.froxels[1] + index[1];
+    value += weight * values[row * this->Settings.froxels[0] + index[0]];
   }
   return value;
 }
 
 //------------------------------------------------------------------------------
+double FroxelSweep::At(const Vector& point) const
+{
+  return this->Interpolate(
+    this->Values, point, this->Settings.own == OwnOpacity::AlongRay ? 0.5 * this->SliceDistance() : 0.0);
+}
+
+//------------------------------------------------------------------------------
+double FroxelSweep::Gather(
+  const Occluders& occluders, const std::vector<Channel>& channels, const Vector& point) const
+{
+  const Vector place = this->Frame.ToPlace(point);
+  const double froxel = (this->Frame.highest.x - this->Frame.lowest.x) / this->Settings.froxels[0];
+  const double middle = this->Frame.WidthAt(0.5 * (this->Frame.front + this->Frame.back));
+  const double reach = FroxelsOfRay * std::max(froxel, this->SliceDistance() / middle);
+  const double length = reach * this->Frame.WidthAt(place.z);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < channels.size(); ++i)
+  {
+    const glm::dvec2 slope = this->SlopeAt(glm::dvec2(place), channels[i], 0);
+    const Vector way =
+      length * glm::normalize(slope.x * this->Frame.right + slope.y * this->Frame.up - this->Frame.away);
+    double depth = 0.0, begin = 0.0, part = optics::FirstPartOfRay(this->Settings.gatherSamples);
+    for (int sample = 0; sample < this->Settings.gatherSamples; ++sample)
+    {
+      depth += part * length * occluders.ExtinctionAt(point + (begin + 0.5 * part) * way);
+      begin += part;
+      part *= 2.0;
+    }
+    sum += channels[i].weight * std::exp(-depth) * this->Interpolate(this->Reaching[i], point + way, 0.0);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
 std::vector<double> FroxelSweep::At(const Occluders& occluders, const std::vector<ShownPoint>& points) const
 {
+  const std::vector<Channel> channels = this->ChannelsOf();
   const double wayOut = optics::MeanWayOut(std::cos(glm::radians(this->Settings.angle)));
   std::vector<double> values(points.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(points.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       const ShownPoint& point = points[i];
-      values[i] = this->At(point.position);
+      values[i] = this->Settings.own == OwnOpacity::Gathered
+        ? this->Gather(occluders, channels, point.position)
+        : this->At(point.position);
       if (this->Settings.own == OwnOpacity::AlongRay)
       {
         const double length = this->SliceDistance() / -glm::dot(point.toViewer, this->Frame.away);

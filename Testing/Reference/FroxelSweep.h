@@ -49,11 +49,12 @@ enum class SweepAlgorithm
   DiskBySolidAngle // weighted by the solid angle of the base's pieces
 };
 
-// What the cone's axis is, in perspective. A direction's rays are straight in both.
+// What the cone's axis is, in perspective. A direction's rays are straight in the first two.
 enum class SweepAxis
 {
   SliceNormal = 0, // the same for all pixels: parallel rays
-  Eye // rays of a direction meet in one point on the eye's plane: exact on one slice, the middle one
+  Eye,  // rays of a direction meet in one point on the eye's plane: exact on one slice, the middle one
+  Pixel // the direction to the eye, another one at each place: rays bend a little
 };
 
 // What of its own slice takes light from a sample.
@@ -61,7 +62,8 @@ enum class OwnOpacity
 {
   None = 0,  // as published: too bright by a slice
   HalfSlice, // known at the froxels
-  AlongRay   // what the eye's ray meets from the slice in front on, as the mapper takes it
+  AlongRay,  // what the eye's ray meets from the slice in front on, as the mapper takes it where it does not gather
+  Gathered   // of each direction what its ray meets, as the mapper gathers it
 };
 
 struct SweepSettings
@@ -72,6 +74,7 @@ struct SweepSettings
   int samples = 8;           // directions, or points along a side of the disk's grid
   bool trueDistances = true; // of the disk: Algorithm 2, else 3
   OwnOpacity own = OwnOpacity::HalfSlice;
+  int gatherSamples = 4; // of a direction's ray
   std::array<int, 3> froxels = { 64, 64, 64 }; // columns, rows, slices
 };
 
@@ -102,6 +105,8 @@ private:
   double DistanceOf(int slice) const;
   glm::dvec2 PlaceOf(int column, int row) const;
   double Fetch(const Layer& layer, const glm::dvec2& place) const;
+  double Interpolate(const Layer& values, const Vector& point, double ahead) const;
+  double Gather(const Occluders& occluders, const std::vector<Channel>& channels, const Vector& point) const;
   glm::dvec2 SlopeAt(const glm::dvec2& place, const Channel& channel, int slice) const;
   void SweepRow(int slice, int row, const std::vector<double>& depths, const std::vector<Channel>& channels,
     const std::vector<Layer>& former, std::vector<Layer>& next);
@@ -109,6 +114,7 @@ private:
   SliceFrame Frame;
   SweepSettings Settings;
   std::vector<double> Values;
+  std::vector<Layer> Reaching; // the middle of each froxel, by direction; where it is gathered
 };
 }
 

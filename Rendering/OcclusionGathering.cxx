@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "OcclusionGathering.h"
+
+#include "Optics.h"
+#include "RayUniforms.h"
+#include "SweepGrid.h"
+#include "SweepViews.h"
+#include "VisibleInScene.h"
+#include "vtkOpticsVolumeMapper.h"
+#include "vtkOpticsVolumeProperty.h"
+
+#include "vtkDataArray.h"
+#include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkVolume.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// So far the interpolation between froxels reaches, and a diffuse mean of theirs.
+const double FroxelsOfRay = 2.5;
+const int LargestNumberOfDirections = 16;
+
+// VTK keeps matrices row by row.
+glm::dmat4 Columns(const double rows[16])
+{
+  return glm::transpose(glm::make_mat4(rows));
+}
+
+void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat4& matrix)
+{
+  glm::mat4 columns(matrix);
+  program->SetUniformMatrix4x4(name, glm::value_ptr(columns));
+}
+
+void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat3& matrix)
+{
+  glm::mat3 columns(matrix);
+  program->SetUniformMatrix3x3(name, glm::value_ptr(columns));
+}
+
+void SetWays(int directions, double angle, vtkShaderProgram* program)
+{
+  const double cosine = std::cos(glm::radians(angle));
+  float ways[LargestNumberOfDirections][3] = {};
+  for (int i = 0; i < directions; ++i)
+  {
+    const optics::ConeRay ray = optics::ConeDirection(i, directions, cosine);
+    ways[i][0] = static_cast<float>(ray.slope.x * ray.cosine);
+    ways[i][1] = static_cast<float>(ray.slope.y * ray.cosine);
+    ways[i][2] = static_cast<float>(-ray.cosine);
+  }
+  program->SetUniform3fv("in_opticsGatherWays", LargestNumberOfDirections, ways);
+}
+
+// At the distance 1 in perspective.
+double LengthOfRay(const SweepGrid& grid)
+{
+  const double froxel = (grid.GetWindow()[1] - grid.GetWindow()[0]) / grid.GetSize()[0];
+  const double middle = grid.GetWidth(0.5 * (grid.GetDepth(0) + grid.GetDepth(grid.GetSize()[2] - 1)));
+  return FroxelsOfRay * std::max(froxel, grid.GetSliceDistance() / middle);
+}
+}
+
+//------------------------------------------------------------------------------
+void AddGatheringFeatures(const OpticsScene& scene, OpticsFeatures& features)
+{
+  features.Add(OpticsFeature::OcclusionGathered);
+  features.NumberOfGatherSamples = scene.Mapper->GetVisibilityGatherSamples();
+  features.Add(OpticsFeature::SampleScalar);
+  // the user's own text may draw what has no opacity
+  const bool isOurs = scene.Volume->GetShaderProperty()->GetNumberOfShaderReplacements() == 0;
+  if (isOurs && scene.Scalars->GetNumberOfComponents() == 1 && IsSeenByScalars(scene))
+  {
+    features.Add(OpticsFeature::SeenSamples);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetGatheringUniforms(const OpticsScene& scene, const vtkVisibilitySweep::Volume& volume,
+  const SweepGrid& grid, bool isSwept, vtkShaderProgram* program)
+{
+  const glm::dmat4 textureToWorld = Columns(volume.TextureToWorld);
+  const glm::dmat4 textureToView = Columns(grid.GetWorldToView()) * textureToWorld;
+  const glm::dmat4 viewToTexture = glm::inverse(textureToView);
+  const glm::dmat4 viewToData = glm::inverse(Columns(volume.DataToWorld)) * textureToWorld * viewToTexture;
+  SetMatrix(program, "in_opticsGatherView", textureToView);
+  SetMatrix(program, "in_opticsGatherWorld", textureToWorld);
+  SetMatrix(program, "in_opticsGatherTexture", glm::dmat3(viewToTexture));
+  const double unit = scene.Volume->GetProperty()->GetScalarOpacityUnitDistance();
+  SetMatrix(program, "in_opticsGatherLengths", glm::dmat3(viewToData) / unit);
+  SetScalarUniforms(scene, program);
+  const int directions = scene.Mapper->GetVisibilitySamples();
+  const int samples = scene.Mapper->GetVisibilityGatherSamples();
+  SetWays(directions, scene.Optics->GetOcclusionAngle(), program);
+  const double numbers[3] = { 1.0 * directions, 1.0 * grid.GetSize()[2], 0.25 * directions };
+  program->SetUniform3f("in_opticsGatherNumbers", numbers);
+  const float gather[4] = { static_cast<float>(LengthOfRay(grid)),
+    static_cast<float>(optics::FirstPartOfRay(samples)), grid.GetIsPerspective() ? 1.0F : 0.0F,
+    isSwept ? 1.0F : 0.0F };
+  program->SetUniform4f("in_opticsGather", gather);
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Place ComputeLighting::Dec, after OpacityTable. Fractional visibility by final gathering: near the sample, where a
+// surface is thinner than a froxel, rays of the cone look at the volume itself; where they end begins what the sweep
+// from the eye found for each direction.
+
+uniform sampler3D in_opticsOcclusion;       // four directions to a texel, each next four behind all slices
+uniform mat4 in_opticsOcclusionGrid;        // VTK's texture coordinates to (x w, y w, z, w) of the grid's
+uniform mat4 in_opticsGatherView;           // VTK's texture coordinates to the eye's, z away from it
+uniform mat3 in_opticsGatherTexture;        // ways from the eye's coordinates to VTK's texture coordinates
+uniform mat3 in_opticsGatherLengths;        // and to lengths in units of the opacity
+uniform mat4 in_opticsGatherWorld;          // VTK's texture coordinates to the world's
+uniform vec3 in_opticsGatherWays[16];       // of length 1, about (0, 0, -1)
+uniform vec3 in_opticsGatherNumbers;        // directions, slices, layers of four directions
+uniform vec4 in_opticsGather;               // a ray's length, relative to the distance in perspective; the first part
+                                            // of it; 1 in perspective; 1, or 0: nothing is known
+
+// Of the pixel, what samples contribute that take the visibility of one before them: too little to gather for.
+const float opticsLargestShare = 1.0 / 32.0;
+
+float g_opticsGathered = 1.0; // by the last sample that gathered
+float g_opticsShare = 1.0;    // since then; the first sample gathers
+
+bool opticsIsClipped(vec3 world);
+
+float opticsGatheredDepth(vec3 texPosition)
+{
+  bool isInside = all(greaterThanEqual(texPosition, in_texMin[0])) && all(lessThanEqual(texPosition, in_texMax[0]));
+  vec4 texel = texture(in_volume[0], texPosition) * in_volume_scale[0] + in_volume_bias[0];
+  float opacity = opticsTableOpacity(dot(texel, in_opticsOpacityChannel));
+  bool isSeen = isInside && !opticsIsClipped((in_opticsGatherWorld * vec4(texPosition, 1.0)).xyz);
+  return isSeen ? (opacity < 1.0 ? OpticalDepth(opacity) : LargestDepth) : 0.0;
+}
+
+// By VTK's own table: what it draws is not left out.
+bool opticsIsUnseen(vec3 texPosition)
+{
+  float scalar = texture(in_volume[0], texPosition).r * in_volume_scale[0].r + in_volume_bias[0].r;
+  return computeOpacity(vec4(scalar)) <= 0.0;
+}
+
+float opticsReaching(int direction, vec3 texPosition)
+{
+  vec4 froxel = in_opticsOcclusionGrid * vec4(texPosition, 1.0);
+  float slices = in_opticsGatherNumbers.y;
+  int layer = direction / 4;
+  float slice = clamp(froxel.z * slices, 0.5, slices - 0.5) + float(layer) * slices;
+  vec3 place = vec3(froxel.xy / froxel.w, slice / (slices * in_opticsGatherNumbers.z));
+  return texture(in_opticsOcclusion, place)[direction - 4 * layer];
+}
+
+float opticsGatheredRay(vec3 texPosition, vec3 texWay)
+{
+  float depth = 0.0;
+  float begin = 0.0;
+  float part = in_opticsGather.y;
+  for (int i = 0; i < OPTICS_GATHER_SAMPLES; ++i)
+  {
+    depth += part * opticsGatheredDepth(texPosition + (begin + 0.5 * part) * texWay);
+    begin += part;
+    part *= 2.0;
+  }
+  return depth;
+}
+
+float opticsOcclusion(vec3 texPosition, float opacity)
+{
+#ifdef OPTICS_SWEEP
+  return 1.0; // what is drawn on must not be read
+#else
+  vec3 position = (in_opticsGatherView * vec4(texPosition, 1.0)).xyz;
+  bool isPerspective = in_opticsGather.z > 0.0;
+  vec3 axis = isPerspective ? -normalize(position) : vec3(0.0, 0.0, -1.0);
+  float reach = in_opticsGather.x * (isPerspective ? position.z : 1.0);
+  g_opticsShare += opacity * (1.0 - g_fragColor.a);
+  bool gathers = opacity > 0.0 && g_opticsShare > opticsLargestShare;
+  int directions = gathers ? int(in_opticsGatherNumbers.x) : 0;
+  float sum = 0.0;
+  for (int i = 0; i < directions; ++i)
+  {
+    vec3 way = reach * TurnToAxis(in_opticsGatherWays[i], axis);
+    vec3 texWay = in_opticsGatherTexture * way;
+    float depth = opticsGatheredRay(texPosition, texWay) * length(in_opticsGatherLengths * way);
+    sum += exp(-min(depth, LargestDepth)) * opticsReaching(i, texPosition + texWay);
+  }
+  g_opticsGathered = gathers ? sum / in_opticsGatherNumbers.x : g_opticsGathered;
+  g_opticsShare = gathers ? 0.0 : g_opticsShare;
+  return in_opticsGather.w > 0.0 ? g_opticsGathered : 1.0;
+#endif
+}

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Final gathering of occlusion: against the cone integral by rays, and what it is left out with.
+
+#include "ConeIntegral.h"
+#include "FroxelSweep.h"
+#include "OcclusionTesting.h"
+#include "Optics.h"
+#include "Scene.h"
+#include "ShaderText.h"
+
+#include "vtkPlane.h"
+
+namespace
+{
+// A ridged field of the kind of Marschner and Lobb, whose surface is two voxels of 64 thick.
+double Ridges(double x, double y, double z)
+{
+  const double ripple = std::cos(12.0 * std::cos(1.5707963 * std::hypot(x, y) / 2.0));
+  return 0.5 - 0.6 * (z + 0.1) + 0.12 * ripple;
+}
+
+struct RidgeScene : public OcclusionScene
+{
+  explicit RidgeScene(bool isPerspective)
+    : OcclusionScene(Ridges, 0.0, 24)
+  {
+    this->Opacity->RemoveAllPoints();
+    this->Opacity->AddPoint(0.5, 0.0);
+    this->Opacity->AddPoint(0.54, 1.0);
+    this->Color->RemoveAllPoints();
+    this->Color->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    camera->SetParallelProjection(isPerspective);
+    camera->SetPosition(2.0, -3.0, 4.0);
+    isPerspective ? camera->ParallelProjectionOff() : camera->ParallelProjectionOn();
+    camera->SetParallelScale(2.0);
+    this->Renderer->ResetCameraClippingRange();
+    this->Property->OcclusionOn();
+  }
+};
+
+// The same by the reference, in double.
+void CheckReference(Check& check, const reference::Scene& world)
+{
+  const reference::Occluders things(world, 0.25 * world.grid.SmallestSpacing());
+  const auto points = reference::ShownPoints(world, 0.002);
+  const auto truth = reference::VisibilityAt(things, points, { 60.0, 48, 1 });
+  reference::SweepSettings settings;
+  settings.axis = reference::SweepAxis::Pixel;
+  settings.own = reference::OwnOpacity::Gathered;
+  settings.gatherSamples = 5;
+  const reference::SliceFrame frame = reference::FrameOfCamera(world);
+  settings.froxels = reference::FroxelsOf(frame, 64, 1.0);
+  const auto values = reference::FroxelSweep(things, frame, settings).At(things, points);
+  check.AtMost("error in double", reference::CompareVisibility(points, values, truth).mean, 0.03);
+}
+
+// Mean absolute error of visibility, each sample by its contribution to the pixel.
+double ErrorOf(RidgeScene& scene, const reference::Scene& world, double angle)
+{
+  const int size = scene.Window->GetSize()[0];
+  const reference::Occluders things(world, 0.25 * world.grid.SmallestSpacing());
+  const auto points = reference::ShownPoints(world, 0.002);
+  const auto truth = reference::VisibilityAt(things, points, { angle, 48, 1 });
+  std::vector<double> radiance(std::size_t(1) * size * size, 0.0);
+  double opacities = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    radiance[points[i].pixel] += points[i].weight * truth[i];
+    opacities += points[i].weight;
+  }
+  scene.Property->SetOcclusionAngle(angle);
+  const std::vector<float> pixels = scene.RenderFloat();
+  const std::size_t channels = pixels.size() / radiance.size();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < radiance.size(); ++i)
+  {
+    sum += std::abs(pixels[channels * i] - radiance[i]);
+  }
+  return sum / opacities;
+}
+
+void CheckAgainstRays(Check& check)
+{
+  for (const bool isPerspective : { true, false })
+  {
+    RidgeScene scene(isPerspective);
+    scene.Optics->SetVisibilityGridSize(64);
+    scene.Render();
+    const int size = scene.Window->GetSize()[0];
+    const reference::Scene world = reference::SceneFromVTK(scene.Renderer, scene.Volume, size, size);
+    CheckReference(check, world);
+    for (const double angle : { 30.0, 60.0, 80.0 })
+    {
+      const std::string name =
+        std::string(isPerspective ? "perspective " : "parallel ") + std::to_string(int(angle)) + " degrees";
+      scene.Optics->SetVisibilityGatherSamples(5);
+      const double gathered = ErrorOf(scene, world, angle);
+      // what is asked of the mapper's balanced occlusion
+      check.AtMost("error against rays, " + name, gathered, 0.03);
+      scene.Optics->SetVisibilityGatherSamples(0);
+      const double swept = ErrorOf(scene, world, angle);
+      check.That(gathered < swept, "nearer than without, " + name + ": " + std::to_string(swept));
+    }
+  }
+}
+
+// The roof hides the floor from nothing where it is cut away, by a plane that leaves it for the rays' first samples.
+void CheckClipping(Check& check)
+{
+  const double roofBegin = FloorHeight + 0.06;
+  const auto roof = [=](double, double, double z) {
+    return z < FloorHeight || (z > roofBegin && z < roofBegin + 0.2) ? Dense : 0.0;
+  };
+  OcclusionScene open(Floor), roofed(roof);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, roofBegin - 0.02);
+  plane->SetNormal(0.0, 0.0, -1.0);
+  roofed.Mapper->AddClippingPlane(plane);
+  // a voxel of the roof's ramp reaches below the plane
+  check.Near("a roof that is cut away hides nothing", roofed.Visibility(), open.Visibility(), 0.02);
+}
+
+// Where opacity is not a function of the scalar alone, and where it is not asked for.
+void CheckLeftOut(Check& check)
+{
+  OcclusionScene scene(Floor);
+  scene.Property->OcclusionOn();
+  ShaderText text(scene.Mapper);
+  const auto gathers = [&] {
+    scene.Render();
+    scene.Render();
+    return text.Text.find("opticsGathered") != std::string::npos;
+  };
+  check.That(gathers(), "gathers by default");
+  scene.Optics->SetVisibilityGatherSamples(0);
+  check.That(!gathers(), "not with 0 samples");
+  scene.Optics->SetVisibilityGatherSamples(3);
+  scene.Optics->SetVisibilityAlgorithmToDisk();
+  check.That(!gathers(), "not with a disk");
+  scene.Optics->SetVisibilityAlgorithmToDirectionSweep();
+  scene.Mapper->CroppingOn();
+  check.That(!gathers(), "not with cropping");
+  scene.Mapper->CroppingOff();
+  scene.Property->SetIntegrationSpaceToData();
+  check.That(!gathers(), "not in data space");
+  scene.Property->SetIntegrationSpaceToPhysical();
+  check.That(gathers(), "again");
+}
+
+// Turning keeps lengths and angles, and takes one axis to the other.
+void CheckTurning(Check& check)
+{
+  for (int i = 0; i < 20; ++i)
+  {
+    const glm::dvec3 axis = glm::normalize(glm::dvec3(std::cos(1.3 * i), std::sin(1.7 * i), -0.2 - 0.1 * i));
+    const glm::dvec3 way(std::sin(2.1 * i), std::cos(0.7 * i), -0.5 + 0.05 * i);
+    const glm::dvec3 turned = optics::TurnToAxis(way, axis);
+    check.Near("length", glm::length(turned), glm::length(way), 1e-14);
+    check.Near("angle with the axis", glm::dot(turned, axis), -way.z, 1e-14);
+    const glm::dvec3 first = optics::TurnToAxis(glm::dvec3(0.0, 0.0, -1.0), axis);
+    check.Near("axis", glm::length(first - axis), 0.0, 1e-14);
+  }
+}
+}
+
+int TestOcclusionGathering(int, char*[])
+{
+  Check check;
+  CheckTurning(check);
+  CheckAgainstRays(check);
+  CheckClipping(check);
+  CheckLeftOut(check);
+  return check.ExitCode();
+}
