@@ -131,8 +131,10 @@ SweepGrid::Resolution SweepResolution(const OpticsScene& scene)
   const bool isCoarse = scene.Mapper->GetQuality() != vtkOpticsVolumeMapper::Custom &&
     scene.Mapper->IsInteractive(scene.Renderer);
   const int size = scene.Mapper->GetVisibilityGridSize();
+  // four directions to a texel, one group behind the other
+  const int layers = GathersOcclusion(scene) ? (scene.Mapper->GetVisibilitySamples() + 3) / 4 : 1;
   return { isCoarse ? (size + 1) / 2 : size, scene.Mapper->GetVisibilitySliceDistance(),
-    vtkTextureObject::GetMaximumTextureSize3D(scene.Window) };
+    vtkTextureObject::GetMaximumTextureSize3D(scene.Window) / layers };
 }
 
 //------------------------------------------------------------------------------
