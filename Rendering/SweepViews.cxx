@@ -133,8 +133,10 @@ SweepGrid::Resolution SweepResolution(const OpticsScene& scene)
   // presets are coarser while the user interacts, as their steps are
   const int coarseness = scene.Mapper->GetCoarseness();
   const int size = scene.Mapper->GetVisibilityGridSize();
+  // four directions to a texel, one group behind the other
+  const int layers = GathersOcclusion(scene) ? (scene.Mapper->GetVisibilitySamples() + 3) / 4 : 1;
   return { (size + coarseness - 1) / coarseness, scene.Mapper->GetVisibilitySliceDistance(),
-    vtkTextureObject::GetMaximumTextureSize3D(scene.Window) };
+    vtkTextureObject::GetMaximumTextureSize3D(scene.Window) / layers };
 }
 
 //------------------------------------------------------------------------------

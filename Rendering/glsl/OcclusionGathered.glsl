@@ -17,7 +17,7 @@ uniform vec4 in_opticsGather;               // a ray's length, relative to the d
                                             // of it; 1 in perspective; 1, or 0: nothing is known
 
 // Of the pixel, what samples contribute that take the visibility of one before them: too little to gather for.
-const float opticsLargestShare = 1.0 / 32.0;
+const float opticsLargestShare = 1.0 / 64.0;
 
 float g_opticsGathered = 1.0; // by the last sample that gathered
 float g_opticsShare = 1.0;    // since then; the first sample gathers
@@ -45,9 +45,11 @@ float opticsReaching(int direction, vec3 texPosition)
   vec4 froxel = in_opticsOcclusionGrid * vec4(texPosition, 1.0);
   float slices = in_opticsGatherNumbers.y;
   int layer = direction / 4;
-  float slice = clamp(froxel.z * slices, 0.5, slices - 0.5) + float(layer) * slices;
+  float slice = froxel.z * slices;
+  float unhidden = clamp(1.0 - 2.0 * slice, 0.0, 1.0); // from the middle of the first slice on to the grid's front
+  slice = clamp(slice, 0.5, slices - 0.5) + float(layer) * slices;
   vec3 place = vec3(froxel.xy / froxel.w, slice / (slices * in_opticsGatherNumbers.z));
-  return texture(in_opticsOcclusion, place)[direction - 4 * layer];
+  return mix(texture(in_opticsOcclusion, place)[direction - 4 * layer], 1.0, unhidden);
 }
 
 float opticsGatheredRay(vec3 texPosition, vec3 texWay)
@@ -69,7 +71,11 @@ float opticsOcclusion(vec3 texPosition, float opacity)
 #ifdef OPTICS_SWEEP
   return 1.0; // what is drawn on must not be read
 #else
-  vec3 position = (in_opticsGatherView * vec4(texPosition, 1.0)).xyz;
+  // A sample stands for the stretch of a step about it: rays begin at its front, and all of its points count. VTK's first
+  // sample lies a step behind the face of the volume, or a clipping plane, and stands for all of that.
+  bool isFirst = dot(texPosition - g_rayOrigin, g_dirStep) < 1.5 * dot(g_dirStep, g_dirStep);
+  vec3 front = texPosition - (isFirst ? 1.0 : 0.5) * g_dirStep;
+  vec3 position = (in_opticsGatherView * vec4(front, 1.0)).xyz;
   bool isPerspective = in_opticsGather.z > 0.0;
   vec3 axis = isPerspective ? -normalize(position) : vec3(0.0, 0.0, -1.0);
   float reach = in_opticsGather.x * (isPerspective ? position.z : 1.0);
@@ -81,8 +87,9 @@ float opticsOcclusion(vec3 texPosition, float opacity)
   {
     vec3 way = reach * TurnToAxis(in_opticsGatherWays[i], axis);
     vec3 texWay = in_opticsGatherTexture * way;
-    float depth = opticsGatheredRay(texPosition, texWay) * length(in_opticsGatherLengths * way);
-    sum += exp(-min(depth, LargestDepth)) * opticsReaching(i, texPosition + texWay);
+    float depth = opticsGatheredRay(front, texWay) * length(in_opticsGatherLengths * way);
+    float own = StretchVisibility(opacity, -1.0 / in_opticsGatherWays[i].z);
+    sum += own * exp(-min(depth, LargestDepth)) * opticsReaching(i, front + texWay);
   }
   g_opticsGathered = gathers ? sum / in_opticsGatherNumbers.x : g_opticsGathered;
   g_opticsShare = gathers ? 0.0 : g_opticsShare;

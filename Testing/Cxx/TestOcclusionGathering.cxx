@@ -14,11 +14,13 @@
 
 namespace
 {
-// A ridged field of the kind of Marschner and Lobb, whose surface is two voxels of 64 thick.
+// A ridged field of the kind of Marschner and Lobb, whose surface is two voxels of 64 thick. No face of the volume cuts
+// it where it is seen: there VTK's first sample stands for more than itself.
 double Ridges(double x, double y, double z)
 {
   const double ripple = std::cos(12.0 * std::cos(1.5707963 * std::hypot(x, y) / 2.0));
-  return 0.5 - 0.6 * (z + 0.1) + 0.12 * ripple;
+  const double atSides = std::max(std::max(std::abs(x), std::abs(y)) - 1.6, 0.0);
+  return 0.5 - 0.6 * (z + 0.1) + 0.12 * ripple - 3.0 * atSides;
 }
 
 struct RidgeScene : public OcclusionScene
@@ -110,16 +112,15 @@ void CheckAgainstRays(Check& check)
 // The roof hides the floor from nothing where it is cut away, by a plane that leaves it for the rays' first samples.
 void CheckClipping(Check& check)
 {
-  const double roofBegin = FloorHeight + 0.06;
+  const double roofBegin = FloorHeight + 0.1;
   const auto roof = [=](double, double, double z) {
     return z < FloorHeight || (z > roofBegin && z < roofBegin + 0.2) ? Dense : 0.0;
   };
   OcclusionScene open(Floor), roofed(roof);
   vtkNew<vtkPlane> plane;
-  plane->SetOrigin(0.0, 0.0, roofBegin - 0.02);
+  plane->SetOrigin(0.0, 0.0, roofBegin - 0.05);
   plane->SetNormal(0.0, 0.0, -1.0);
   roofed.Mapper->AddClippingPlane(plane);
-  // a voxel of the roof's ramp reaches below the plane
   check.Near("a roof that is cut away hides nothing", roofed.Visibility(), open.Visibility(), 0.02);
 }
 
