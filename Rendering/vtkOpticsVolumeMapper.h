@@ -274,7 +274,7 @@ public:
   ///@{
   /**
    * Occlusion by DirectionSweep: samples of each direction of the cone near the point that is shaded, in [0, 16],
-   * before the direction is looked up in the grid (final gathering). Default 4. They lie on a way of 2.5 froxels,
+   * before the direction is looked up in the grid (final gathering). Default 4. They lie on a way of 3.5 froxels,
    * closer to each other towards the point, and see what is thinner than a froxel. 0: what is nearer than a slice
    * is taken from the eye's ray alone, which takes an eighth of the memory (of 8 directions), less time, and leaves
    * about three times the error. They are left out where opacity is not a function of the scalar alone, and with

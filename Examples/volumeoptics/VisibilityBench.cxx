@@ -25,6 +25,7 @@
 namespace
 {
 constexpr double StepOfRays = 0.25; // of the truth, in voxels
+constexpr double StepOfTruth = 0.125; // of the samples, in steps of the picture: each of these stands for all of its step
 constexpr int TimedFrames = 5;
 constexpr double LeastWeight = 0.002; // of a sample: below, it can't be seen
 constexpr double SeenOpacity = 0.5;   // of a pixel whose error counts as a maximum
@@ -74,7 +75,8 @@ VisibilityBench::VisibilityBench(const Options& options)
   auto* volume = vtkVolume::SafeDownCast(this->Pictures->GetRenderer()->GetVolumes()->GetItemAsObject(0));
   this->World = reference::SceneFromVTK(this->Pictures->GetRenderer(), volume, options.Size, options.Size);
   this->Things = std::make_unique<reference::Occluders>(this->World, StepOfRays * this->World.grid.SmallestSpacing());
-  this->Points = reference::ShownPoints(this->World, LeastWeight);
+  this->World.step *= StepOfTruth;
+  this->Points = reference::ShownPoints(this->World, LeastWeight * StepOfTruth);
   this->Opacity.resize(static_cast<std::size_t>(options.Size) * options.Size);
   for (const reference::ShownPoint& point : this->Points)
   {

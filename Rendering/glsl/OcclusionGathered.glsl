@@ -19,6 +19,10 @@ uniform vec4 in_opticsGather;               // a ray's length, relative to the d
 // Of the pixel, what samples contribute that take the visibility of one before them: too little to gather for.
 const float opticsLargestShare = 1.0 / 64.0;
 
+// Out of a sample's own stretch, relative to that along the eye's ray. Where rays graze, a surface no longer lies across
+// the eye's ray, but somehow.
+const float opticsLongestWayOut = 2.0;
+
 float g_opticsGathered = 1.0; // by the last sample that gathered
 float g_opticsShare = 1.0;    // since then; the first sample gathers
 
@@ -66,6 +70,34 @@ float opticsGatheredRay(vec3 texPosition, vec3 texWay)
   return depth;
 }
 
+vec2 g_opticsMet = vec2(0.0);  // optical depths of the sample before this one, and of the one before that
+float g_opticsLastDepth = 0.0; // of the last one that was seen
+float g_opticsLastT = -9.0;    // and where it was, in steps
+
+// How far rays begin in front of the front of a stretch, in steps. The eye has met what its samples happened to hit; of
+// what is denser than a step can tell that differs from sample to sample, and would show as rings. So rays begin where
+// the depth of the last two steps is what the eye met on them.
+float opticsShiftToMet(vec3 front)
+{
+  float step = length(in_opticsGatherLengths * (mat3(in_opticsGatherView) * g_dirStep));
+  float depth = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    depth += 0.5 * step * opticsGatheredDepth(front - (0.5 * float(i) + 0.25) * g_dirStep);
+  }
+  float slope = step * opticsGatheredDepth(front);
+  float excess = depth - g_opticsMet.x - g_opticsMet.y;
+  return clamp(excess / max(slope, 1.0e-3), -0.5, 1.0);
+}
+
+void opticsRemember(float opacity)
+{
+  float gap = g_currentT - g_opticsLastT;
+  g_opticsMet = gap < 1.5 ? vec2(g_opticsLastDepth, g_opticsMet.x) : vec2(0.0, gap < 2.5 ? g_opticsLastDepth : 0.0);
+  g_opticsLastDepth = opacity < 1.0 ? OpticalDepth(opacity) : LargestDepth;
+  g_opticsLastT = g_currentT;
+}
+
 float opticsOcclusion(vec3 texPosition, float opacity)
 {
 #ifdef OPTICS_SWEEP
@@ -75,6 +107,8 @@ float opticsOcclusion(vec3 texPosition, float opacity)
   // sample lies a step behind the face of the volume, or a clipping plane, and stands for all of that.
   bool isFirst = dot(texPosition - g_rayOrigin, g_dirStep) < 1.5 * dot(g_dirStep, g_dirStep);
   vec3 front = texPosition - (isFirst ? 1.0 : 0.5) * g_dirStep;
+  opticsRemember(opacity);
+  front -= opticsShiftToMet(front) * g_dirStep;
   vec3 position = (in_opticsGatherView * vec4(front, 1.0)).xyz;
   bool isPerspective = in_opticsGather.z > 0.0;
   vec3 axis = isPerspective ? -normalize(position) : vec3(0.0, 0.0, -1.0);
@@ -88,7 +122,7 @@ float opticsOcclusion(vec3 texPosition, float opacity)
     vec3 way = reach * TurnToAxis(in_opticsGatherWays[i], axis);
     vec3 texWay = in_opticsGatherTexture * way;
     float depth = opticsGatheredRay(front, texWay) * length(in_opticsGatherLengths * way);
-    float own = StretchVisibility(opacity, -1.0 / in_opticsGatherWays[i].z);
+    float own = StretchVisibility(opacity, min(-1.0 / in_opticsGatherWays[i].z, opticsLongestWayOut));
     sum += own * exp(-min(depth, LargestDepth)) * opticsReaching(i, front + texWay);
   }
   g_opticsGathered = gathers ? sum / in_opticsGatherNumbers.x : g_opticsGathered;

@@ -15,7 +15,7 @@ namespace reference
 namespace
 {
 // Of a gathering ray; the mapper's.
-constexpr double FroxelsOfRay = 2.5;
+constexpr double FroxelsOfRay = 3.5;
 
 // Corners of a box along its directions.
 std::vector<Vector> CornersOf(const Grid& grid)
