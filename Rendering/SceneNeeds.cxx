@@ -240,7 +240,8 @@ bool GathersOcclusion(const OpticsScene& scene)
   const bool isCut = scene.Mapper->GetCropping() || scene.Mapper->GetMaskInput() ||
     (image && (image->HasAnyBlankPoints() || image->HasAnyBlankCells()));
   return isWanted && HasOcclusion(scene) && !isCut && !scene.Mapper->HasPartitions() && !Is2D(scene) &&
-    !HasGradientOpacity(scene) && !ReplacesIntegral(scene) && !ReplacesClassification(scene) && !HasLineVoxels(scene);
+    !HasGradientOpacity(scene) && !ReplacesIntegral(scene) && !ReplacesClassification(scene) &&
+    !HasLineVoxels(scene);
 }
 
 //------------------------------------------------------------------------------

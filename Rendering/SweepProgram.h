@@ -22,13 +22,13 @@ public:
   struct Kind
   {
     int Directions;
-    bool IsDisk;      // [Schott2009]'s recursion
-    bool IsToViewer;  // directions meet at the viewer
-    bool HasGeometry; // opaque, beside the volume
+    bool IsDisk;        // [Schott2009]'s recursion
+    bool IsToViewer;    // directions meet at the viewer
+    bool HasGeometry;   // opaque, beside the volume
     bool IsAboutEye;    // the cone's axis is the direction to the viewer
     bool IsByDirection; // what is left of each direction is kept, not of their mean
-    bool FillsBlock;  // finds the opacity of froxels in one block of the volume
-    bool IsOfBlocks;  // takes what was found in all blocks
+    bool FillsBlock;    // finds the opacity of froxels in one block of the volume
+    bool IsOfBlocks;    // takes what was found in all blocks
 
     bool operator==(const Kind& other) const
     {

@@ -28,8 +28,8 @@ public:
   struct Format
   {
     std::array<int, 3> Size;
-    int Directions; // up to four in a texture
-    int Bits;       // of a number: 8, 16, 32
+    int Directions;     // up to four in a texture
+    int Bits;           // of a number: 8, 16, 32
     bool IsByDirection; // what is left of each direction is kept, not of their mean
 
     int GetNumberOfTextures() const { return (this->Directions + 3) / 4; }

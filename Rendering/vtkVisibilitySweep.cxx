@@ -69,8 +69,8 @@ public:
   };
 
   // False: the frame was given up in between.
-  bool DrawSlices(vtkOpenGLRenderWindow* window, const SweepGrid& grid, SweepTarget& target,
-    vtkShaderProgram* program);
+  bool DrawSlices(
+    vtkOpenGLRenderWindow* window, const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program);
 
   SweepProgram Program;
   SweepTarget Target;

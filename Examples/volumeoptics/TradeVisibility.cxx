@@ -97,9 +97,9 @@ NamedAlgorithm ApproximatedDisk()
 
 std::vector<NamedAlgorithm> Algorithms()
 {
-  return { Gathered(4), Gathered(8), Gathered(16), Directions(4), Directions(8), Directions(16), DirectionsByHalfSlices(), DirectionsAboutTheEye(),
-    Disk("disk", SweepAlgorithm::Disk), Disk("disk by solid angle", SweepAlgorithm::DiskBySolidAngle),
-    ApproximatedDisk(), PublishedDisk() };
+  return { Gathered(4), Gathered(8), Gathered(16), Directions(4), Directions(8), Directions(16),
+    DirectionsByHalfSlices(), DirectionsAboutTheEye(), Disk("disk", SweepAlgorithm::Disk),
+    Disk("disk by solid angle", SweepAlgorithm::DiskBySolidAngle), ApproximatedDisk(), PublishedDisk() };
 }
 
 // log(error) by log(length) between the finest two of a knob.

@@ -25,7 +25,8 @@
 namespace
 {
 constexpr double StepOfRays = 0.25; // of the truth, in voxels
-constexpr double StepOfTruth = 0.125; // of the samples, in steps of the picture: each of these stands for all of its step
+constexpr double StepOfTruth =
+  0.125; // of the samples, in steps of the picture: each of these stands for all of its step
 constexpr int TimedFrames = 5;
 constexpr double LeastWeight = 0.002; // of a sample: below, it can't be seen
 constexpr double SeenOpacity = 0.5;   // of a pixel whose error counts as a maximum
@@ -74,7 +75,8 @@ VisibilityBench::VisibilityBench(const Options& options)
   this->Software = this->Pictures->GetRendererName().find("pipe") != std::string::npos; // Mesa's rasterisers
   auto* volume = vtkVolume::SafeDownCast(this->Pictures->GetRenderer()->GetVolumes()->GetItemAsObject(0));
   this->World = reference::SceneFromVTK(this->Pictures->GetRenderer(), volume, options.Size, options.Size);
-  this->Things = std::make_unique<reference::Occluders>(this->World, StepOfRays * this->World.grid.SmallestSpacing());
+  this->Things =
+    std::make_unique<reference::Occluders>(this->World, StepOfRays * this->World.grid.SmallestSpacing());
   this->World.step *= StepOfTruth;
   this->Points = reference::ShownPoints(this->World, LeastWeight * StepOfTruth);
   this->Opacity.resize(static_cast<std::size_t>(options.Size) * options.Size);
@@ -87,8 +89,8 @@ VisibilityBench::VisibilityBench(const Options& options)
 VisibilityBench::~VisibilityBench() = default;
 
 // angle: below 0 without occlusion.
-void VisibilityBench::Stage(VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs,
-  const FrameKind& kind) const
+void VisibilityBench::Stage(
+  VolumeScene& scene, int size, double angle, const VisibilityKnobs& knobs, const FrameKind& kind) const
 {
   PictureSettings picture = Picture(this->Setup.Field, kind.IsLit);
   picture.Size = { size, size };

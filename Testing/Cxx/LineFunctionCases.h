@@ -113,8 +113,8 @@ protected:
         const double turn = this->Random.Uniform(0.0, 6.28);
         FunctionCase c;
         c.Normal = glm::vec3((i % 4 == 0 ? 1e-4 : 1.0) * this->Random.OnSphere());
-        c.ToViewer = glm::vec3(
-          std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), -std::cos(tilt));
+        c.ToViewer =
+          glm::vec3(std::sin(tilt) * std::cos(turn), std::sin(tilt) * std::sin(turn), -std::cos(tilt));
         for (int function : { 57, 58 })
         {
           c.Function = function;

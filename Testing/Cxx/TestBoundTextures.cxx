@@ -195,7 +195,14 @@ const ModelRow Models[] = {
       scene.Optics->GetAmbientCovarianceFilter()->SetStorageToWorld();
     },
     4 },
-  { "occlusion", [](TestScene& scene) { scene.Property->OcclusionOn(); }, 2 },
+  // gathering looks at the opacity function as it is, not at VTK's table for the step
+  { "occlusion", [](TestScene& scene) { scene.Property->OcclusionOn(); }, 3 },
+  { "occlusion, not gathered",
+    [](TestScene& scene) {
+      scene.Property->OcclusionOn();
+      scene.Optics->SetVisibilityGatherSamples(0);
+    },
+    2 },
 };
 
 // A term that was there and is switched off holds no texture unit.

@@ -150,6 +150,8 @@ const std::vector<Parameter> OfMapper = {
   { "VisibilitySliceDistance", Uniform, UseOcclusion,
     [](TestScene& s) { s.Optics->SetVisibilitySliceDistance(4.0); } },
   { "VisibilitySamples", Source, UseOcclusion, [](TestScene& s) { s.Optics->SetVisibilitySamples(4); } },
+  { "VisibilityGatherSamples", Source, UseOcclusion,
+    [](TestScene& s) { s.Optics->SetVisibilityGatherSamples(2); } },
   { "VisibilityAlgorithm", Source, UseOcclusion,
     [](TestScene& s) { s.Optics->SetVisibilityAlgorithmToDisk(); } },
   { "VisibilityDiskSize", Uniform, UseDisk, [](TestScene& s) { s.Optics->SetVisibilityDiskSize(1); } },
@@ -165,6 +167,8 @@ const std::vector<Parameter> OfMapper = {
       s.Optics->SkipEmptySpaceOn();
     },
     [](TestScene& s) { s.Optics->SetMacrocellSize(4); } },
+  { "DrawnExtent", Source, UseWard, [](TestScene& s) { s.Optics->SetDrawnExtent(4, 20, 0, 31, 0, 31); } },
+  { "WholeExtent", Source, UseWard, [](TestScene& s) { s.Optics->SetWholeExtent(-8, 40, 0, 31, 0, 31); } },
   { "Quality", Uniform, UseWard, [](TestScene& s) { s.Optics->SetQualityToDraft(); } },
 };
 

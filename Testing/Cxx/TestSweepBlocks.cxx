@@ -33,6 +33,7 @@ const Setting Settings[] = {
       s.Property->ShadowsOff();
       s.Property->ShadeOff();
       s.Property->OcclusionOn();
+      s.Optics->SetVisibilityGatherSamples(0); // a block alone does not show what is near a point
     } },
   { "cropping",
     [](ShadowScene& s) {

@@ -213,8 +213,8 @@ const std::vector<TestedFunction>& TestedFunctions()
       },
       8.0, 32.0 },
     // products of the way's and the axis' components, divided by 1 - z >= 1
-    { "TurnToAxis", [](const FunctionCase& c, const glm::dvec4&) { return double(glm::length(c.Normal)); }, 6.0,
-      12.0 },
+    { "TurnToAxis", [](const FunctionCase& c, const glm::dvec4&) { return double(glm::length(c.Normal)); },
+      6.0, 12.0 },
     { "SlopeOfWay", [](const FunctionCase&, const glm::dvec4& value) { return LargestOf(value) + 1.0; }, 6.0,
       16.0 },
     { "FirstPartOfRay", relative, 4.0, 16.0 },

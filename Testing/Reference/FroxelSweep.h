@@ -62,8 +62,8 @@ enum class OwnOpacity
 {
   None = 0,  // as published: too bright by a slice
   HalfSlice, // known at the froxels
-  AlongRay,  // what the eye's ray meets from the slice in front on, as the mapper takes it where it does not gather
-  Gathered   // of each direction what its ray meets, as the mapper gathers it
+  AlongRay, // what the eye's ray meets from the slice in front on, as the mapper takes it where it does not gather
+  Gathered // of each direction what its ray meets, as the mapper gathers it
 };
 
 struct SweepSettings
@@ -74,7 +74,7 @@ struct SweepSettings
   int samples = 8;           // directions, or points along a side of the disk's grid
   bool trueDistances = true; // of the disk: Algorithm 2, else 3
   OwnOpacity own = OwnOpacity::HalfSlice;
-  int gatherSamples = 4; // of a direction's ray
+  int gatherSamples = 4;                       // of a direction's ray
   std::array<int, 3> froxels = { 64, 64, 64 }; // columns, rows, slices
 };
 

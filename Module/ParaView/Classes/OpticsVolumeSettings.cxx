@@ -265,6 +265,13 @@ void vtkOpticsVolumeRepresentation::SetVisibilitySamples(int directions)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeRepresentation::SetVisibilityGatherSamples(int samples)
+{
+  this->GetBlocks()->SetKnob(
+    "VisibilityGatherSamples", [=](Mapper* mapper) { mapper->SetVisibilityGatherSamples(samples); });
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeRepresentation::SetVisibilityPrecision(int bits)
 {
   this->GetBlocks()->SetKnob(

@@ -111,6 +111,7 @@ public:
   void SetTablePrecision(int bits);
   void SetVisibilityGridSize(int froxels);
   void SetVisibilitySamples(int directions);
+  void SetVisibilityGatherSamples(int samples);
   void SetVisibilityPrecision(int bits);
   void SetVisibilityAlgorithm(int algorithm);
   void SetVisibilityDiskSize(int size);
