@@ -70,7 +70,8 @@ LIKE_STOCK = {
 OF_MANY_RANKS = ("thin",)
 
 # Light changes sides where a surface is seen edge-on, or at the end of a peak of opacity: there, and there alone, a
-# picture seems to hang on a rounding. The bound was set by the one pixel that was seen: so many pixels of ten thousand may differ by more than Volume's.
+# picture seems to hang on a rounding. So many pixels of ten thousand may differ by more than Volume's: set after one was
+# seen.
 ON_EDGE = {"transmitted": ("stock-shade", 2e-4)}
 
 for ranks in map(int, sys.argv[1:]):
