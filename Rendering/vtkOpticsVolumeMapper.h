@@ -277,9 +277,9 @@ public:
    * before the direction is looked up in the grid (final gathering). Default 4. They lie on a way of 3.5 froxels,
    * closer to each other towards the point, and see what is thinner than a froxel. 0: what is nearer than a slice
    * is taken from the eye's ray alone, which takes an eighth of the memory (of 8 directions), less time in frames
-   * without other light, and leaves half as much error again. They are left out where opacity is not a function of the scalar alone, and with
-   * cropping, masks, blanked points, integration in data space, pre-integration, or several samples to a
-   * classification.
+   * without other light, and leaves half as much error again. They are left out where opacity is not a function
+   * of the scalar alone, and with cropping, masks, blanked points, partitions, integration in data space,
+   * pre-integration, or several samples to a classification.
    */
   vtkGetMacro(VisibilityGatherSamples, int);
   void SetVisibilityGatherSamples(int samples);
