@@ -132,6 +132,29 @@ void CheckClipping(Check& check)
   check.Near("a roof that is cut away hides nothing", roofed.Visibility(), open.Visibility(), 0.02);
 }
 
+// The cone is about the direction to the eye, far above the reach of gathering too: from where the floor is seen aslant,
+// at 36 degrees, a roof straight above hides nothing.
+void CheckWideView(Check& check)
+{
+  const auto roof = [](double x, double, double z) {
+    return z < FloorHeight ? Dense : (x > 1.15 && z > 0.3 && z < 0.4 ? Glass : 0.0);
+  };
+  double visibility[2];
+  for (const bool isRoofed : { false, true })
+  {
+    OcclusionScene scene(isRoofed ? Density(roof) : Density(Floor), 0.9);
+    scene.Optics->SetVisibilityGridSize(64);
+    scene.Property->SetOcclusionAngle(15.0);
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    camera->ParallelProjectionOff();
+    camera->SetPosition(0.0, 0.0, 1.5);
+    camera->SetViewAngle(90.0);
+    scene.Renderer->ResetCameraClippingRange();
+    visibility[isRoofed] = scene.Visibility(12, 0);
+  }
+  check.Near("a roof beside the way to the eye hides nothing", visibility[1], visibility[0], 0.02);
+}
+
 // On a floor that is denser than a step, wherever the samples happen to lie: else it would show rings. Steps are of a
 // voxel, and the bound lies half-way between what is seen (.12) and that without the shift to what the eye met (.20).
 void CheckRings(Check& check)
@@ -198,6 +221,7 @@ int TestOcclusionGathering(int, char*[])
   CheckTurning(check);
   CheckAgainstRays(check);
   CheckClipping(check);
+  CheckWideView(check);
   CheckRings(check);
   CheckLeftOut(check);
   return check.ExitCode();
