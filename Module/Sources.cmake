@@ -105,10 +105,12 @@ set(rendering_sources
   OpaqueDepth
   OpticsFactory
   OpticsIsosurfaces
+  OpticsMapperInputs
   OpticsMapperKnobs
   OpticsScene
   OpticsShaderInsertion
   OpticsShaderTable
+  OpticsTerms
   OpticsVisibility
   PairCounts
   PieceTerm

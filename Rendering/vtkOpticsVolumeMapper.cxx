@@ -4,46 +4,25 @@
 #include "vtkOpticsVolumeMapper.h"
 
 #include "DefaultOptics.h"
-#include "EmptySpaceTerm.h"
-#include "FrameAbort.h"
-#include "FrameTerm.h"
-#include "IntegrationTerm.h"
 #include "LightUniforms.h"
-#include "LightingTransferFunctionTerm.h"
-#include "LineVoxelTerm.h"
-#include "MultiSampleTerm.h"
-#include "OcclusionTerm.h"
 #include "OpticsFactory.h"
-#include "PieceTerm.h"
-#include "ReflectanceTerm.h"
+#include "OpticsTerms.h"
 #include "SceneNeeds.h"
-#include "ShadowTerm.h"
 #include "SweepViews.h"
-#include "TransferFunctionTerm.h"
-#include "vtkAmbientCovarianceFilter.h"
-#include "vtkOpticsShaderPass.h"
-#include "vtkOpticsVolumeProperty.h"
-#include "vtkPrincipalCurvatureFilter.h"
-#include "vtkSobelNormalFilter.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeInputHelper.h"
 #include "vtkVolumeTexture.h"
-#include "vtkWeakPointer.h"
-#include "vtk_glew.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <set>
 #include <vector>
 
 vtkStandardNewMacro(vtkOpticsVolumeMapper);
@@ -51,109 +30,6 @@ vtkStandardNewMacro(vtkOpticsVolumeMapper);
 namespace
 {
 const double SlowestInteraction = 1.0; // frames a second, vtkSmartVolumeMapper's limit
-}
-
-class vtkOpticsVolumeMapper::Implementation
-{
-public:
-  std::vector<OpticsTerm*> Prepare(const OpticsScene& scene);
-  void LeaveOtherWindow(vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window);
-  bool Sweeps(const OpticsScene& scene, const std::vector<OpticsTerm*>& active);
-  void FillBlocks(
-    OpticsScene scene, const std::vector<OpticsTerm*>& active, const std::function<void()>& draw);
-
-  // In the order of preparation: first what others build on.
-  FrameTerm Frames;
-  TransferFunctionTerm TransferFunctions;
-  ReflectanceTerm Reflectance{ this->Frames };
-  IntegrationTerm Integration{ this->Frames };
-  LightingTransferFunctionTerm LightingTransferFunction{ this->Frames };
-  MultiSampleTerm MultiSample{ this->Frames };
-  EmptySpaceTerm EmptySpace;
-  LineVoxelTerm Lines;
-  OcclusionTerm Occlusion;
-  ShadowTerm Shadows;
-  PieceTerm Piece;
-  std::vector<OpticsTerm*> All = { &this->Frames, &this->TransferFunctions, &this->Reflectance,
-    &this->LightingTransferFunction, &this->MultiSample, &this->Integration, &this->Lines, &this->Occlusion,
-    &this->Shadows, &this->EmptySpace, &this->Piece };
-  vtkNew<vtkOpticsVolumeProperty> PlainOptics; // of volumes whose property is VTK's
-  vtkNew<vtkOpticsShaderPass> Pass;
-  vtkSmartPointer<vtkOpticsVolumeProperty> Optics;
-  vtkWeakPointer<vtkRenderWindow> LastWindow;
-  std::unique_ptr<ScissorScope> Scissor; // of a frame that can be aborted
-  std::set<std::string> Said;
-  std::string ActiveTerms;
-};
-
-//------------------------------------------------------------------------------
-std::vector<OpticsTerm*> vtkOpticsVolumeMapper::Implementation::Prepare(const OpticsScene& scene)
-{
-  std::vector<OpticsTerm*> active;
-  this->ActiveTerms.clear();
-  if (!scene.Scalars || !scene.Window)
-  {
-    return active;
-  }
-  OpticsFeatures features;
-  for (OpticsTerm* term : this->All)
-  {
-    if (term->IsActive(scene) && term->Prepare(scene))
-    {
-      term->AddFeatures(scene, features);
-      active.push_back(term);
-      const std::string name = term->GetName();
-      this->ActiveTerms += (this->ActiveTerms.empty() || name.empty() ? "" : ",") + name;
-    }
-    else
-    {
-      term->ReleaseGraphicsResources(scene.Window);
-    }
-  }
-  if (this->ActiveTerms.empty())
-  {
-    active.clear(); // what is left is only what others would have built on
-  }
-  this->Pass->SetFeatures(features);
-  return active;
-}
-
-//------------------------------------------------------------------------------
-// VTK's mapper gives up what it holds in another window in the midst of a frame, the terms' with it:
-// do so before they are prepared.
-void vtkOpticsVolumeMapper::Implementation::LeaveOtherWindow(
-  vtkOpticsVolumeMapper* mapper, vtkRenderWindow* window)
-{
-  if (this->LastWindow && this->LastWindow != window)
-  {
-    mapper->ReleaseGraphicsResources(this->LastWindow);
-  }
-  this->LastWindow = window;
-}
-
-//------------------------------------------------------------------------------
-bool vtkOpticsVolumeMapper::Implementation::Sweeps(
-  const OpticsScene& scene, const std::vector<OpticsTerm*>& active)
-{
-  const bool hasShadows = std::find(active.begin(), active.end(), &this->Shadows) != active.end();
-  return (hasShadows || HasOcclusion(scene)) && !IsSelection(scene);
-}
-
-//------------------------------------------------------------------------------
-// VTK has one block of a volume in partitions in its texture at a time, and a sweep needs all of them. So VTK draws all
-// of them once where no pixel is.
-void vtkOpticsVolumeMapper::Implementation::FillBlocks(
-  OpticsScene scene, const std::vector<OpticsTerm*>& active, const std::function<void()>& draw)
-{
-  vtkOpenGLState* state = scene.Window->GetState();
-  const vtkOpenGLState::ScopedglScissor scissor(state);
-  const vtkOpenGLState::ScopedglEnableDisable test(state, GL_SCISSOR_TEST);
-  state->SetEnumState(GL_SCISSOR_TEST, true);
-  state->vtkglScissor(0, 0, 0, 0);
-  scene.FillsBlocks = true;
-  this->Pass->Attach(scene, active);
-  draw();
-  this->Pass->Detach();
 }
 
 //------------------------------------------------------------------------------
@@ -311,70 +187,6 @@ void vtkOpticsVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::SetOptics(vtkOpticsVolumeProperty* optics)
-{
-  if (this->Terms->Optics != optics)
-  {
-    this->Terms->Optics = optics;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkOpticsVolumeProperty* vtkOpticsVolumeMapper::GetOptics()
-{
-  return this->Terms->Optics;
-}
-
-//------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::SetNormalsInputConnection(vtkAlgorithmOutput* output)
-{
-  this->Terms->Frames.Provider.NormalsInput = FrameProvider::Connection(output);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::SetNormalsInputData(vtkImageData* normals)
-{
-  this->Terms->Frames.Provider.NormalsInput = FrameProvider::Connection(normals);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::SetAnisotropyInputConnection(vtkAlgorithmOutput* output)
-{
-  this->Terms->Frames.Provider.AnisotropyInput = FrameProvider::Connection(output);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::SetAnisotropyInputData(vtkImageData* anisotropy)
-{
-  this->Terms->Frames.Provider.AnisotropyInput = FrameProvider::Connection(anisotropy);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::SetLineBlockInputConnection(vtkAlgorithmOutput* output)
-{
-  this->Terms->Lines.BlockInput = FrameProvider::Connection(output);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkOpticsVolumeMapper::SetLineBlockInputData(vtkImageData* voxels)
-{
-  this->Terms->Lines.BlockInput = FrameProvider::Connection(voxels);
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkOpticsVolumeMapper::GetLineBlock()
-{
-  return this->Terms->Lines.GetBlock();
-}
-
-//------------------------------------------------------------------------------
 // Of the finer ones, where a block replaces lines.
 void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
 {
@@ -390,65 +202,6 @@ void vtkOpticsVolumeMapper::GetVoxelSpacing(double spacing[3])
   {
     spacing[axis] = std::min(std::abs(spacing[axis]), std::abs(ofBlock[axis]));
   }
-}
-
-//------------------------------------------------------------------------------
-vtkSobelNormalFilter* vtkOpticsVolumeMapper::GetSobelNormalFilter()
-{
-  return this->Terms->Frames.Provider.Sobel;
-}
-
-//------------------------------------------------------------------------------
-vtkAmbientCovarianceFilter* vtkOpticsVolumeMapper::GetAmbientCovarianceFilter()
-{
-  return this->Terms->Frames.Provider.Covariance;
-}
-
-//------------------------------------------------------------------------------
-vtkPrincipalCurvatureFilter* vtkOpticsVolumeMapper::GetPrincipalCurvatureFilter()
-{
-  return this->Terms->Frames.Provider.Curvature;
-}
-
-//------------------------------------------------------------------------------
-vtkVisibilitySweep* vtkOpticsVolumeMapper::GetOcclusionSweep()
-{
-  return this->Terms->Occlusion.GetSweep();
-}
-
-//------------------------------------------------------------------------------
-int vtkOpticsVolumeMapper::GetShadowSweepCount()
-{
-  return this->Terms->Shadows.GetSweepCount();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOpticsVolumeMapper::GetActiveTerms()
-{
-  return this->Terms->ActiveTerms;
-}
-
-//------------------------------------------------------------------------------
-unsigned long vtkOpticsVolumeMapper::GetTermMemorySize()
-{
-  std::size_t bytes = 0;
-  for (OpticsTerm* term : this->Terms->All)
-  {
-    bytes += term->GetMemorySize();
-  }
-  return static_cast<unsigned long>((bytes + 1023) / 1024);
-}
-
-//------------------------------------------------------------------------------
-int vtkOpticsVolumeMapper::GetProgramLinkCount()
-{
-  return this->Terms->Pass->GetProgramLinkCount();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkOpticsVolumeMapper::GetFragmentShader()
-{
-  return this->Terms->Pass->GetFragmentShader();
 }
 
 //------------------------------------------------------------------------------
