@@ -51,6 +51,7 @@ set(filter_sources
   LineVoxelizerRun
   LineVoxels
   LiteralSampling
+  OpticsImageScalars
   OwnedExtent
   PrincipalCurvature
   ProcessGroup
@@ -129,6 +130,7 @@ set(rendering_sources
   SweepProgram
   SweepSources
   SweepTarget
+  SweepUniforms
   SweepViews
   TermTexture
   TetrahedraVertices

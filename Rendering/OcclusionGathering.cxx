@@ -6,6 +6,7 @@
 #include "Optics.h"
 #include "RayUniforms.h"
 #include "SweepGrid.h"
+#include "SweepProgram.h"
 #include "SweepViews.h"
 #include "VisibleInScene.h"
 #include "vtkOpticsVolumeMapper.h"
@@ -25,7 +26,6 @@ namespace
 {
 // So far the interpolation between froxels reaches, and their mean from slice to slice; measured (docs/accuracy.md).
 const double FroxelsOfRay = 3.5;
-const int LargestNumberOfDirections = 16;
 
 // VTK keeps matrices row by row.
 glm::dmat4 Columns(const double rows[16])
@@ -48,7 +48,7 @@ void SetMatrix(vtkShaderProgram* program, const char* name, const glm::dmat3& ma
 void SetWays(int directions, double angle, vtkShaderProgram* program)
 {
   const double cosine = std::cos(glm::radians(angle));
-  float ways[LargestNumberOfDirections][3] = {};
+  float ways[SweepProgram::LargestNumberOfDirections][3] = {};
   for (int i = 0; i < directions; ++i)
   {
     const optics::ConeRay ray = optics::ConeDirection(i, directions, cosine);
@@ -56,7 +56,7 @@ void SetWays(int directions, double angle, vtkShaderProgram* program)
     ways[i][1] = static_cast<float>(ray.slope.y * ray.cosine);
     ways[i][2] = static_cast<float>(-ray.cosine);
   }
-  program->SetUniform3fv("in_opticsGatherWays", LargestNumberOfDirections, ways);
+  program->SetUniform3fv("in_opticsGatherWays", SweepProgram::LargestNumberOfDirections, ways);
 }
 
 // At the distance 1 in perspective.

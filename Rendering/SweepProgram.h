@@ -19,6 +19,8 @@ class vtkShaderProgram;
 class SweepProgram
 {
 public:
+  static constexpr int LargestNumberOfDirections = 16;
+
   struct Kind
   {
     int Directions;
