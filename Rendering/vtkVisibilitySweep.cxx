@@ -121,7 +121,8 @@ const char* vtkVisibilitySweep::GetAlgorithmAsString()
 //------------------------------------------------------------------------------
 void vtkVisibilitySweep::SetNumberOfDirections(int directions)
 {
-  if (directions != 1 && directions != 4 && directions != 8 && directions != SweepProgram::LargestNumberOfDirections)
+  if (directions != 1 && directions != 4 && directions != 8 &&
+    directions != SweepProgram::LargestNumberOfDirections)
   {
     vtkWarningMacro(<< "NumberOfDirections " << directions << " is not set: choose 1, 4, 8 or 16.");
     return;

@@ -9,6 +9,7 @@
 //
 // BenchmarkLineFrame [rounds, 9] [largest number of segments of voxels, 1e7] [... of tubes and lines, 1e6]
 
+#include "FrameTimes.h"
 #include "vtkAnalyticLineSource.h"
 #include "vtkAnisotropicLineVoxelizer.h"
 #include "vtkHeadlessRenderWindow.h"
@@ -23,13 +24,10 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
-#include "vtkTimerLog.h"
 #include "vtkTubeFilter.h"
 #include "vtkVolume.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -48,7 +46,7 @@ struct Subject
   vtkIdType Segments = 0, OccupiedVoxels = 0;
   vtkNew<vtkHeadlessRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  std::vector<double> Real, Processor;
+  FrameTimes Times;
 
   Subject(const std::string& kind, vtkIdType segments)
     : Kind(kind)
@@ -60,18 +58,10 @@ struct Subject
   }
 
   // From a camera that has moved.
-  void Draw(bool isMeasured)
+  void Draw()
   {
     this->Renderer->GetActiveCamera()->Azimuth(7.0);
-    const double start = vtkTimerLog::GetUniversalTime();
-    const std::clock_t processor = std::clock();
-    this->Window->Render();
-    this->Window->WaitForCompletion();
-    if (isMeasured)
-    {
-      this->Real.push_back(1000.0 * (vtkTimerLog::GetUniversalTime() - start));
-      this->Processor.push_back(1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
-    }
+    this->Times.Draw(this->Window);
   }
 
   void PlaceCamera()
@@ -145,26 +135,29 @@ void AddGeometry(Subjects& all, const std::string& kind, vtkPolyData* lines)
   all.back()->Renderer->AddActor(actor);
 }
 
-double Median(std::vector<double> values)
+// In milliseconds.
+using Time = double (FrameTimes::*)() const;
+
+const Time Real = &FrameTimes::GetSeconds;
+const Time Processor = &FrameTimes::GetProcessorSeconds;
+
+double TimeOf(const Subject& subject, Time time)
 {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  return 1000.0 * (subject.Times.*time)();
 }
 
-using Times = std::vector<double> Subject::*;
-
-double DensestVoxels(const Subjects& all, Times times)
+double DensestVoxels(const Subjects& all, Time time)
 {
   double densest = 0.0;
   for (const auto& subject : all)
   {
-    densest = subject->Kind == "voxels of more lines" ? Median((*subject).*times) : densest;
+    densest = subject->Kind == "voxels of more lines" ? TimeOf(*subject, time) : densest;
   }
   return densest;
 }
 
 // Where the straight line through the two largest of a kind meets the voxels' time; 0 if it falls.
-double Crossover(const Subjects& all, const std::string& kind, Times times)
+double Crossover(const Subjects& all, const std::string& kind, Time time)
 {
   std::vector<const Subject*> some;
   for (const auto& subject : all)
@@ -179,9 +172,9 @@ double Crossover(const Subjects& all, const std::string& kind, Times times)
     return 0.0;
   }
   const Subject &few = *some[some.size() - 2], &many = *some.back();
-  const double more = Median(many.*times) - Median(few.*times);
+  const double more = TimeOf(many, time) - TimeOf(few, time);
   const double slope = more / static_cast<double>(many.Segments - few.Segments);
-  const double left = DensestVoxels(all, times) - Median(many.*times);
+  const double left = DensestVoxels(all, time) - TimeOf(many, time);
   return slope > 0.0 ? static_cast<double>(many.Segments) + left / slope : 0.0;
 }
 
@@ -192,15 +185,15 @@ void Report(const Subjects& all)
   for (const auto& subject : all)
   {
     std::cout << subject->Kind << "," << subject->Segments << "," << subject->OccupiedVoxels << ","
-              << Median(subject->Real) << "," << Median(subject->Processor) << ","
-              << Median(subject->Real) / DensestVoxels(all, &Subject::Real) << ","
-              << Median(subject->Processor) / DensestVoxels(all, &Subject::Processor) << "\n";
+              << TimeOf(*subject, Real) << "," << TimeOf(*subject, Processor) << ","
+              << TimeOf(*subject, Real) / DensestVoxels(all, Real) << ","
+              << TimeOf(*subject, Processor) / DensestVoxels(all, Processor) << "\n";
   }
   for (const char* kind : { "tubes", "lines" })
   {
-    std::cout << "crossover with " << kind << " in real time," << Crossover(all, kind, &Subject::Real) << "\n"
-              << "crossover with " << kind << " in processor time,"
-              << Crossover(all, kind, &Subject::Processor) << "\n";
+    std::cout << "crossover with " << kind << " in real time," << Crossover(all, kind, Real) << "\n"
+              << "crossover with " << kind << " in processor time," << Crossover(all, kind, Processor)
+              << "\n";
   }
 }
 }
@@ -230,13 +223,13 @@ int main(int argc, char* argv[])
   for (const auto& subject : all)
   {
     subject->PlaceCamera();
-    subject->Draw(false); // compiles, uploads
+    subject->Window->Render(); // compiles, uploads
   }
   for (int round = 0; round < rounds; ++round)
   {
     for (const auto& subject : all)
     {
-      subject->Draw(true);
+      subject->Draw();
     }
   }
   Report(all);

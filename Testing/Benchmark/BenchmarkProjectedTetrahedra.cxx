@@ -11,6 +11,7 @@
 //
 // The scene is that of its figure 8: a buckyball of points^3 (32: 148,955 tetrahedra).
 
+#include "FrameTimes.h"
 #include "BuckyballScene.h"
 #include "StandaloneShaders.h"
 #include "DataSpaceClassification.h"
@@ -36,7 +37,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -79,12 +79,6 @@ std::string ReadText(const std::string& name)
 double Seconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 // The longest edge: no ray is longer in a cell.
@@ -293,14 +287,7 @@ public:
     this->Window->Render(); // uploads and links
   }
 
-  void Draw()
-  {
-    const double begin = Seconds();
-    const std::clock_t clockBegin = std::clock();
-    this->Window->Render();
-    this->Wall.push_back(Seconds() - begin);
-    this->Processor.push_back(static_cast<double>(std::clock() - clockBegin) / CLOCKS_PER_SEC);
-  }
+  void Draw() { this->Times.Draw(this->Window); }
 
   std::vector<unsigned char> GetPicture()
   {
@@ -315,8 +302,7 @@ public:
   std::string Name;
   std::size_t MemorySize = 0;
   double BuildSeconds = 0.0;
-  std::vector<double> Wall;
-  std::vector<double> Processor;
+  FrameTimes Times;
 
 private:
   vtkNew<vtkOpticsVolumeProperty> Property;
@@ -390,15 +376,15 @@ int main(int argc, char** argv)
       contestant->Draw();
     }
   }
-  const double first = Median(contestants.front()->Processor);
+  const double first = contestants.front()->Times.GetProcessorSeconds();
   std::cout << "tetrahedra," << scene.Grid->GetNumberOfCells()
             << "\ntable,entries,KiB,build ms,wall ms,processor ms,of the first,error in codes\n";
   for (std::size_t i = 0; i < contestants.size(); ++i)
   {
     const Contestant& contestant = *contestants[i];
-    const double processor = Median(contestant.Processor);
+    const double processor = contestant.Times.GetProcessorSeconds();
     std::cout << contestant.Name << "," << SizeText(Kinds[i]) << "," << contestant.MemorySize / 1024 << ","
-              << 1000.0 * contestant.BuildSeconds << "," << 1000.0 * Median(contestant.Wall) << ","
+              << 1000.0 * contestant.BuildSeconds << "," << 1000.0 * contestant.Times.GetSeconds() << ","
               << 1000.0 * processor << "," << processor / first << "," << errors[i] << "\n";
   }
   return EXIT_SUCCESS;

@@ -11,6 +11,7 @@
 // cranium.vti: a CT in Hounsfield units, in which bone begins at 200. Time is taken of frames in which the camera
 // turns, and of frames in which the light does.
 
+#include "FrameTimes.h"
 #include "LightShadow.h"
 #include "RayCaster.h"
 #include "VTKVersion.h"
@@ -34,7 +35,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -166,8 +166,8 @@ public:
     this->Window->Render();
   }
 
-  // A frame's processor time, with the light or the camera turned by a degree.
-  double Time(bool turnsLight)
+  // A frame with the light or the camera turned by a degree.
+  void Time(bool turnsLight)
   {
     if (turnsLight)
     {
@@ -180,9 +180,7 @@ public:
     {
       this->Renderer->GetActiveCamera()->Azimuth(1.0);
     }
-    const std::clock_t begin = std::clock();
-    this->Window->Render();
-    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    (turnsLight ? this->Relit : this->Turned).Draw(this->Window);
   }
 
   // The lower rows first; of one channel, as all are white.
@@ -203,6 +201,8 @@ public:
   {
     return reference::SceneFromVTK(this->Renderer, this->Volume, size, size);
   }
+
+  FrameTimes Turned, Relit;
 
 private:
   // As far from the middle as the volume is long.
@@ -271,12 +271,6 @@ Error Compare(
   return error;
 }
 
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 std::vector<Contestant> Contestants()
 {
   std::vector<Contestant> all = { { "VTK without shadows", false, false, 0, false } };
@@ -309,20 +303,19 @@ void Run(const Stage& stage, const Options& options)
     errors.push_back(Compare(values, truth, lit));
     theatres.back()->Draw(options.Size);
   }
-  std::vector<std::vector<double>> turned(theatres.size()), relit(theatres.size());
   for (int frame = 0; frame < options.Frames; ++frame)
   {
-    for (std::size_t i = 0; i < theatres.size(); ++i)
+    for (auto& theatre : theatres)
     {
-      turned[i].push_back(theatres[i]->Time(false));
-      relit[i].push_back(theatres[i]->Time(true));
+      theatre->Time(false);
+      theatre->Time(true);
     }
   }
   for (std::size_t i = 0; i < theatres.size(); ++i)
   {
     std::printf("%s,%s,%.2f,%.2f,%.1f,%.1f,%.2f,%.2f\n", stage.Name.c_str(), contestants[i].Name.c_str(),
-      errors[i].Mean, errors[i].Bias, errors[i].Worst, 1000.0 * Median(turned[i]),
-      Median(turned[i]) / Median(turned[0]), Median(relit[i]) / Median(relit[0]));
+      errors[i].Mean, errors[i].Bias, errors[i].Worst, 1000.0 * theatres[i]->Turned.GetProcessorSeconds(),
+      theatres[i]->Turned.GetRatio(theatres[0]->Turned), theatres[i]->Relit.GetRatio(theatres[0]->Relit));
   }
   std::fflush(stdout);
 }

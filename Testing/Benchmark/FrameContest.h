@@ -7,6 +7,7 @@
 #ifndef FrameContest_h
 #define FrameContest_h
 
+#include "FrameTimes.h"
 #include "vtkAnalyticVolumeSource.h"
 #include "vtkHeadlessRenderWindow.h"
 #include "vtkOpticsVolumeMapper.h"
@@ -25,8 +26,6 @@
 #include "vtkXMLImageDataReader.h"
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
 #include <functional>
 #include <memory>
 #include <string>
@@ -61,12 +60,6 @@ inline vtkSmartPointer<vtkImageData> MarschnerLobb()
   return source->GetOutput();
 }
 
-inline double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 // One window, mapper and volume.
 class Contestant
 {
@@ -98,28 +91,12 @@ public:
   void Draw()
   {
     this->Renderer->GetActiveCamera()->Azimuth(1.0);
-    const auto begin = std::chrono::steady_clock::now();
-    const std::clock_t clockBegin = std::clock();
-    this->Window->Render();
-    this->Window->WaitForCompletion();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    this->Seconds.push_back(elapsed.count());
-    this->ProcessorSeconds.push_back(static_cast<double>(std::clock() - clockBegin) / CLOCKS_PER_SEC);
+    this->Times.Draw(this->Window);
   }
 
-  double GetSeconds() const { return Median(this->Seconds); }
-  double GetProcessorSeconds() const { return Median(this->ProcessorSeconds); }
-
-  // The median of the ratios of frames drawn one after the other.
-  double GetRatio(const Contestant& other) const
-  {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < this->ProcessorSeconds.size(); ++i)
-    {
-      ratios.push_back(this->ProcessorSeconds[i] / other.ProcessorSeconds[i]);
-    }
-    return Median(ratios);
-  }
+  double GetSeconds() const { return this->Times.GetSeconds(); }
+  double GetProcessorSeconds() const { return this->Times.GetProcessorSeconds(); }
+  double GetRatio(const Contestant& other) const { return this->Times.GetRatio(other.Times); }
 
   std::vector<unsigned char> GetPixels()
   {
@@ -172,8 +149,7 @@ private:
 
   vtkNew<vtkHeadlessRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  std::vector<double> Seconds;
-  std::vector<double> ProcessorSeconds;
+  FrameTimes Times;
 };
 
 using Contestants = std::vector<std::unique_ptr<Contestant>>;
