@@ -9,6 +9,7 @@
 //
 // Without a file: Marschner-Lobb, 128^3. low, high: where opacity begins and where it is 0.9.
 
+#include "BenchmarkOptions.h"
 #include "FrameContest.h"
 
 #include "vtkLightingTransferFunction.h"
@@ -18,66 +19,18 @@
 
 namespace
 {
-struct Options
-{
-  std::string File;
-  double Low = 0.45;
-  double High = 0.55;
-  int Size = 512;
-  int Frames = 9;
-  double Step = 0.0; // half the smallest spacing
-};
-
-Options Read(int argc, char** argv)
-{
-  Options options;
-  std::vector<std::string> plain;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i];
-    const std::string next = i + 1 < argc ? argv[i + 1] : "";
-    if (word == "--size")
-    {
-      options.Size = std::stoi(next);
-    }
-    else if (word == "--frames")
-    {
-      options.Frames = std::stoi(next);
-    }
-    else if (word == "--step")
-    {
-      options.Step = std::stod(next);
-    }
-    else
-    {
-      plain.push_back(word);
-      continue;
-    }
-    ++i;
-  }
-  if (!plain.empty())
-  {
-    options.File = plain[0];
-  }
-  if (plain.size() == 3)
-  {
-    options.Low = std::stod(plain[1]);
-    options.High = std::stod(plain[2]);
-  }
-  return options;
-}
-
 // Light on the boundary that opacity begins at; 3 to 9 fetches of the volume or the normals a sample.
-void UseLightingTransferFunction(const Options& options, vtkOpticsVolumeProperty* property)
+void UseLightingTransferFunction(const ContestScene& scene, vtkOpticsVolumeProperty* property)
 {
   vtkNew<vtkLightingTransferFunction> function;
-  const double below[2] = { -1.0e4, options.Low }, above[2] = { options.High, 1.0e4 };
+  const double low = scene.Opacities.front().first, high = scene.Opacities.back().first;
+  const double below[2] = { -1.0e4, low }, above[2] = { high, 1.0e4 };
   function->AddBoundary(below, above, 0.2, 0.7, 0.4);
-  function->SetSoftness(0, options.High - options.Low);
+  function->SetSoftness(0, high - low);
   property->SetLightingTransferFunction(function);
 }
 
-void AddLightingTransferFunctions(Contestants& all, const ContestScene& scene, const Options& options)
+void AddLightingTransferFunctions(Contestants& all, const ContestScene& scene)
 {
   using Mapper = vtkOpticsVolumeMapper;
   const struct
@@ -95,11 +48,11 @@ void AddLightingTransferFunctions(Contestants& all, const ContestScene& scene, c
     mapper->SetScalarGradient(kind.Gradient);
     mapper->SetLightingSamples(kind.Samples);
     all.push_back(std::make_unique<Contestant>(kind.Name, scene, mapper,
-      [&](vtkOpticsVolumeProperty* property) { UseLightingTransferFunction(options, property); }));
+      [&](vtkOpticsVolumeProperty* property) { UseLightingTransferFunction(scene, property); }));
   }
 }
 
-Contestants MakeContestants(const ContestScene& scene, const Options& options)
+Contestants MakeContestants(const ContestScene& scene)
 {
   using Property = vtkOpticsVolumeProperty;
   Contestants all;
@@ -114,18 +67,21 @@ Contestants MakeContestants(const ContestScene& scene, const Options& options)
     all.push_back(std::make_unique<Contestant>(name, scene, vtkSmartPointer<vtkOpticsVolumeMapper>::New(),
       [=](Property* property) { property->SetReflectanceModel(model); }));
   }
-  AddLightingTransferFunctions(all, scene, options);
+  AddLightingTransferFunctions(all, scene);
   return all;
 }
 }
 
 int main(int argc, char** argv)
 {
-  const Options options = Read(argc, argv);
-  const ContestScene scene = { "", options.File.empty() ? MarschnerLobb() : ReadContestImage(options.File),
-    { { options.Low, 0.0 }, { options.High, 0.9 } }, true, options.Size, options.Step };
-  Contestants contestants = MakeContestants(scene, options);
-  DrawInTurns(contestants, options.Frames);
+  const BenchmarkOptions options(argc, argv, { { "--size", 512 }, { "--frames", 9 }, { "--step", 0.0 } });
+  const std::vector<std::string>& words = options.GetWords();
+  const double low = words.size() == 3 ? std::stod(words[1]) : 0.45;
+  const double high = words.size() == 3 ? std::stod(words[2]) : 0.55;
+  const ContestScene scene = { "", words.empty() ? MarschnerLobb() : ReadContestImage(options.GetFile()),
+    { { low, 0.0 }, { high, 0.9 } }, true, options.Whole("--size"), options.Real("--step") };
+  Contestants contestants = MakeContestants(scene);
+  DrawInTurns(contestants, options.Whole("--frames"));
   const Contestant& stock = *contestants.front();
   std::cout << "model,wall ms,of stock,processor ms,of stock\n";
   for (const auto& contestant : contestants)

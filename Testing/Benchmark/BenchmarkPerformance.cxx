@@ -9,6 +9,7 @@
 // cranium.vti: a CT in Hounsfield units; without it, its two rows are left out. --segments: of the lines, whose row is
 // over VTK's own picture of their tubes.
 
+#include "BenchmarkOptions.h"
 #include "FrameContest.h"
 
 #include "vtkAnalyticLineSource.h"
@@ -25,31 +26,6 @@
 
 namespace
 {
-struct Options
-{
-  std::string File;
-  int Size = 512;
-  int Frames = 9;
-  int Segments = 100000;
-};
-
-Options Read(int argc, char** argv)
-{
-  Options options;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i];
-    if (word.substr(0, 2) != "--")
-    {
-      options.File = word;
-      continue;
-    }
-    int& number = word == "--size" ? options.Size : word == "--frames" ? options.Frames : options.Segments;
-    number = i + 1 < argc ? std::stoi(argv[++i]) : number;
-  }
-  return options;
-}
-
 // Light on the first slope of the opacity.
 void UseLighting(const ContestScene& scene, vtkOpticsVolumeProperty* property)
 {
@@ -97,7 +73,7 @@ void PrintHead()
   std::printf("\n");
 }
 
-void PrintScene(const ContestScene& scene, const Options& options)
+void PrintScene(const ContestScene& scene, const BenchmarkOptions& options)
 {
   Contestants all;
   all.push_back(
@@ -109,7 +85,7 @@ void PrintScene(const ContestScene& scene, const Options& options)
     all.push_back(std::make_unique<Contestant>(
       term.Name, scene, mapper, [&](Property* property) { term.Use(scene, property); }));
   }
-  DrawInTurns(all, options.Frames);
+  DrawInTurns(all, options.Whole("--frames"));
   std::printf("| %s | %.0f |", scene.Name.c_str(), 1000.0 * all[0]->GetProcessorSeconds());
   for (std::size_t i = 1; i < all.size(); ++i)
   {
@@ -120,11 +96,11 @@ void PrintScene(const ContestScene& scene, const Options& options)
 }
 
 // Spirals as tubes, as voxels that a filter evaluates for VTK's own mapper, and as voxels that ours evaluates.
-void PrintLines(const Options& options)
+void PrintLines(const BenchmarkOptions& options)
 {
   const double radius = 0.004;
   vtkNew<vtkAnalyticLineSource> lines;
-  lines->SetNumberOfSegments(options.Segments);
+  lines->SetNumberOfSegments(options.Whole("--segments"));
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputConnection(lines->GetOutputPort());
   tubes->SetRadius(radius);
@@ -161,25 +137,26 @@ void PrintLines(const Options& options)
   vtkNew<vtkCamera> still; // the filter is not run again for each view: the mapper alone
   still->SetPosition(0.4, 1.0, 0.3);
   evaluator->SetCamera(still);
-  all.push_back(std::make_unique<Contestant>("tubes", actor, options.Size));
-  all.push_back(std::make_unique<Contestant>("evaluated", evaluated, options.Size));
-  all.push_back(std::make_unique<Contestant>("drawn", drawn, options.Size));
-  DrawInTurns(all, options.Frames);
+  all.push_back(std::make_unique<Contestant>("tubes", actor, options.Whole("--size")));
+  all.push_back(std::make_unique<Contestant>("evaluated", evaluated, options.Whole("--size")));
+  all.push_back(std::make_unique<Contestant>("drawn", drawn, options.Whole("--size")));
+  DrawInTurns(all, options.Whole("--frames"));
   std::printf(
     "\n| segments | tubes, ms | evaluated voxels, VTK's mapper, ms | our mapper over tubes | over VTK's "
     "mapper |\n| --- | --- | --- | --- | --- |\n| %d | %.0f | %.0f | %.2f | %.2f |\n",
-    options.Segments, 1000.0 * all[0]->GetProcessorSeconds(), 1000.0 * all[1]->GetProcessorSeconds(),
-    all[2]->GetRatio(*all[0]), all[2]->GetRatio(*all[1]));
+    options.Whole("--segments"), 1000.0 * all[0]->GetProcessorSeconds(),
+    1000.0 * all[1]->GetProcessorSeconds(), all[2]->GetRatio(*all[0]), all[2]->GetRatio(*all[1]));
 }
 }
 
 int main(int argc, char** argv)
 {
-  const Options options = Read(argc, argv);
+  const BenchmarkOptions options(
+    argc, argv, { { "--size", 512 }, { "--frames", 9 }, { "--segments", 100000 } });
   const vtkSmartPointer<vtkImageData> cranium =
-    options.File.empty() ? nullptr : ReadContestImage(options.File);
+    options.GetWords().empty() ? nullptr : ReadContestImage(options.GetFile());
   PrintHead();
-  for (const ContestScene& scene : ContestScenes(cranium, options.Size))
+  for (const ContestScene& scene : ContestScenes(cranium, options.Whole("--size")))
   {
     PrintScene(scene, options);
   }

@@ -11,6 +11,7 @@
 //
 // The scene is that of its figure 8: a buckyball of points^3 (32: 148,955 tetrahedra).
 
+#include "BenchmarkOptions.h"
 #include "FrameTimes.h"
 #include "BuckyballScene.h"
 #include "StandaloneShaders.h"
@@ -48,25 +49,6 @@ namespace
 {
 const double UnitDistance = 0.02; // of physical space, on [-1, 1]^3
 const int FinestTable = 1024;
-
-struct Options
-{
-  int Points = 32;
-  int Size = 512;
-  int Frames = 9;
-};
-
-Options Read(int argc, char** argv)
-{
-  Options options;
-  for (int i = 1; i + 1 < argc; i += 2)
-  {
-    const std::string word = argv[i];
-    int& value = word == "--points" ? options.Points : (word == "--size" ? options.Size : options.Frames);
-    value = std::max(2, std::stoi(argv[i + 1]));
-  }
-  return options;
-}
 
 std::string ReadText(const std::string& name)
 {
@@ -358,18 +340,18 @@ std::string SizeText(const Kind& kind)
 
 int main(int argc, char** argv)
 {
-  const Options options = Read(argc, argv);
-  Scene scene(options.Points);
+  const BenchmarkOptions options(argc, argv, { { "--points", 32 }, { "--size", 512 }, { "--frames", 9 } });
+  Scene scene(options.Whole("--points"));
   std::vector<std::unique_ptr<Contestant>> contestants;
   std::vector<double> errors;
   for (const Kind& kind : Kinds)
   {
-    errors.push_back(ErrorOf(scene, kind, options.Size));
+    errors.push_back(ErrorOf(scene, kind, options.Whole("--size")));
     contestants.push_back(
       std::make_unique<Contestant>(scene, kind.Name, kind.Scalars, kind.Lengths, kind.HasSilhouettes));
-    contestants.back()->SetUp(options.Size);
+    contestants.back()->SetUp(options.Whole("--size"));
   }
-  for (int frame = 0; frame < options.Frames; ++frame)
+  for (int frame = 0; frame < options.Whole("--frames"); ++frame)
   {
     for (auto& contestant : contestants)
     {

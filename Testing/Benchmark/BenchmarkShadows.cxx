@@ -11,6 +11,7 @@
 // cranium.vti: a CT in Hounsfield units, in which bone begins at 200. Time is taken of frames in which the camera
 // turns, and of frames in which the light does.
 
+#include "BenchmarkOptions.h"
 #include "FrameTimes.h"
 #include "LightShadow.h"
 #include "RayCaster.h"
@@ -43,33 +44,6 @@
 
 namespace
 {
-struct Options
-{
-  std::string File;
-  int Size = 256;
-  int ErrorSize = 96;
-  int Frames = 9;
-};
-
-Options Read(int argc, char** argv)
-{
-  Options options;
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i];
-    if (word.rfind("--", 0) != 0)
-    {
-      options.File = word;
-      continue;
-    }
-    int& number = word == "--size" ? options.Size
-      : word == "--error-size"     ? options.ErrorSize
-                                   : options.Frames;
-    number = i + 1 < argc ? std::stoi(argv[++i]) : number;
-  }
-  return options;
-}
-
 struct Stage
 {
   std::string Name;
@@ -287,7 +261,7 @@ std::vector<Contestant> Contestants()
   return all;
 }
 
-void Run(const Stage& stage, const Options& options)
+void Run(const Stage& stage, const BenchmarkOptions& options)
 {
   const std::vector<Contestant> contestants = Contestants();
   std::vector<std::unique_ptr<Theatre>> theatres;
@@ -296,14 +270,14 @@ void Run(const Stage& stage, const Options& options)
   for (const Contestant& contestant : contestants)
   {
     theatres.push_back(std::make_unique<Theatre>(stage, contestant));
-    theatres.back()->Draw(options.ErrorSize);
+    theatres.back()->Draw(options.Whole("--error-size"));
     const std::vector<double> values = theatres.back()->GetPixels();
     lit = lit.empty() ? values : lit;
-    truth = truth.empty() ? Truth(*theatres.back(), options.ErrorSize) : truth;
+    truth = truth.empty() ? Truth(*theatres.back(), options.Whole("--error-size")) : truth;
     errors.push_back(Compare(values, truth, lit));
-    theatres.back()->Draw(options.Size);
+    theatres.back()->Draw(options.Whole("--size"));
   }
-  for (int frame = 0; frame < options.Frames; ++frame)
+  for (int frame = 0; frame < options.Whole("--frames"); ++frame)
   {
     for (auto& theatre : theatres)
     {
@@ -370,7 +344,8 @@ double Rods(const double* p)
 
 int main(int argc, char** argv)
 {
-  const Options options = Read(argc, argv);
+  const BenchmarkOptions options(
+    argc, argv, { { "--size", 256 }, { "--error-size", 96 }, { "--frames", 9 } });
   std::printf(
     "scene,contestant,mean error of 255,bias,99th percentile,ms when the camera turns,of VTK without "
     "shadows,the same when the light turns\n");
@@ -389,10 +364,10 @@ int main(int argc, char** argv)
   Run(
     { "rods, sun", Fill(128, Rods), dense, { 0.5, -3.5, 2.5 }, { 0.0, 0.0, 1.0 }, { 0.3, -0.4, 0.8 }, false },
     options);
-  if (!options.File.empty())
+  if (!options.GetWords().empty())
   {
     vtkNew<vtkXMLImageDataReader> reader;
-    reader->SetFileName(options.File.c_str());
+    reader->SetFileName(options.GetFile().c_str());
     reader->Update();
     Run({ "cranium, sun", reader->GetOutput(), { { 200.0, 0.0 }, { 600.0, 0.9 } }, { -0.5, 1.0, 0.3 },
           { 0.0, 0.0, 1.0 }, { 0.5, 0.6, 0.6 }, false },
