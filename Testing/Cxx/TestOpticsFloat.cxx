@@ -15,6 +15,6 @@ int TestOpticsFloat(int, char*[])
       opticsFloat::Evaluate(c.Function, { c.Normal, c.ToLight, c.ToViewer, c.Major, c.P });
     comparison.Add(check, c, glm::dvec4(value), &TestedFunction::FloatUnits);
   }
-  comparison.Print(check);
+  comparison.Print(check, &TestedFunction::FloatUnits);
   return check.ExitCode();
 }

@@ -165,6 +165,6 @@ int TestOpticsGpu(int, char*[])
   {
     comparison.Add(check, cases[i], glm::dvec4(values[i]), &TestedFunction::GpuUnits);
   }
-  comparison.Print(check);
+  comparison.Print(check, &TestedFunction::GpuUnits);
   return check.ExitCode();
 }

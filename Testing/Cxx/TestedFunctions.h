@@ -251,12 +251,13 @@ public:
     ++this->Count[c.Function];
   }
 
-  void Print(Check& check) const
+  // A row of docs/accuracy.md for each.
+  void Print(Check& check, double TestedFunction::*bound) const
   {
     for (std::size_t i = 0; i < TestedFunctions().size(); ++i)
     {
-      std::cout << TestedFunctions()[i].Name << ": " << this->Count[i] << " cases, worst " << this->Worst[i]
-                << " units" << std::endl;
+      std::cout << "| " << TestedFunctions()[i].Name << " | " << this->Count[i] << " | " << this->Worst[i]
+                << " | " << TestedFunctions()[i].*bound << " |" << std::endl;
       check.AtLeast(std::string(TestedFunctions()[i].Name) + ", cases", this->Count[i], 1.0);
     }
   }
