@@ -143,6 +143,16 @@ Result Measure(vtkPolyData* lines, const Setting& setting, vtkCamera* view, cons
   return result;
 }
 
+// The error that a ratio of signal to noise, in dB, stands for, of pixels in [0, 1].
+void AddPoint(Plot& plot, const Setting& setting, double x, double decibels)
+{
+  if (plot.Series.empty() || plot.Series.back().Name != setting.Knob)
+  {
+    plot.Series.push_back({ setting.Knob, {} });
+  }
+  plot.Series.back().Points.push_back({ x, std::pow(10.0, -decibels / 20.0), setting.Value });
+}
+
 // Of the lines and of their voxels, as figure 8 of [Schussman2004].
 void TradeStorage(const LinesTradeOptions& options)
 {
@@ -205,8 +215,9 @@ void TradeLines(const LinesTradeOptions& options)
   const FramePicture smallTruth = Reduced(truth, 2);
   CsvWriter csv(options.Folder + "/lines.csv",
     { "knob", "value", "voxelize s", "frame s", "MiB", "MiB of the mapper", "PSNR dB", "PSNR of 2 x 2 dB" });
-  Plot plot{ "Spirals against tubes", "MiB", "PSNR of 2 x 2, dB", {} };
-  plot.LogarithmicY = false;
+  const std::string error = "root mean square error of 2 x 2";
+  Plot time{ "Spirals against tubes: error by time", "to voxelize, s", error, {} };
+  Plot memory{ "Spirals against tubes: error by memory", "MiB", error, {} };
   Progress measuring("Measuring");
   for (const Setting& setting : Settings(options.Radius))
   {
@@ -220,15 +231,13 @@ void TradeLines(const LinesTradeOptions& options)
     csv.Write(setting.Knob, setting.Value, result.VoxelizeSeconds, result.FrameSeconds, result.VoxelMiB,
       result.MapperMiB, raw, reduced);
     measuring.Line(setting.Knob + " " + setting.Value);
-    if (plot.Series.empty() || plot.Series.back().Name != setting.Knob)
-    {
-      plot.Series.push_back({ setting.Knob, {} });
-    }
-    plot.Series.back().Points.push_back({ result.VoxelMiB, reduced, setting.Value });
+    AddPoint(time, setting, result.VoxelizeSeconds, reduced);
+    AddPoint(memory, setting, result.VoxelMiB, reduced);
     if (setting.Knob == "grid" && setting.Value == "256")
     {
       WritePng(result.Frame, options.Folder + "/lines-voxels.png");
     }
   }
-  WriteSvg(options.Folder + "/lines.svg", plot);
+  WriteSvg(options.Folder + "/lines.svg", time);
+  WriteSvg(options.Folder + "/lines-memory.svg", memory);
 }
