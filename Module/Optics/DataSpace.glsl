@@ -18,6 +18,10 @@ const float LargestDepth = 1.0e4;
 // 1/|cosine| and the like end here: finite in float with any optical depth.
 const float SmallestCosine = 1.0e-30;
 
+// Of the product of two cosines: a light fades from one side of a surface to the other where one of them is near 0,
+// over half a degree about a surface that faces the viewer. Rounding of float is a thousandth of it.
+const float LightFade = 0.01;
+
 // (1 - exp(-x))/x: opacity over optical depth, 1 at x = 0 and falling. x >= 0.
 float OpacityOverDepth(float x)
 {
@@ -74,21 +78,18 @@ float ClampedSurfaceOpacity(float opacity, float cosine)
   return min(1.0, opacity / max(abs(cosine), SmallestCosine));
 }
 
-// Which side a light is on, eq. 19: above 0 that of the viewer (its light is reflected), below 0 the other
-// one (it is transmitted), 0 in the surface or without a normal. The normal's sign does not matter.
-float LightSide(vec3 normal, vec3 toLight, vec3 toViewer)
+// How much of a light is behind the surface, eq. 19: 0 on the viewer's side (it is reflected), in the surface and
+// without a normal, 1 on the other side (it is transmitted). The paper has a step; between the two a light fades
+// within LightFade of (L.n)(V.n), so that no sample's light hangs on a rounding. The normal's sign does not matter.
+float ShareBehind(vec3 normal, vec3 toLight, vec3 toViewer)
 {
-  return dot(normal, toLight) * dot(normal, toViewer);
+  return clamp(-dot(normal, toLight) * dot(normal, toViewer) / LightFade, 0.0, 1.0);
 }
 
 // Transmitted light, eq. 19, before opacity and colour: x diffuse |L.n|, y specular max(0, -L.V)^exponent
-// (no cosine in it); both 0 for a light on the viewer's side. normal unit or 0; exponent in [0.01, 1e5].
+// (no cosine in it), of the light that is behind the surface. normal unit or 0; exponent in [0.01, 1e5].
 vec2 TransmittedLight(vec3 normal, vec3 toLight, vec3 toViewer, float exponent)
 {
-  if (LightSide(normal, toLight, toViewer) >= 0.0)
-  {
-    return vec2(0.0, 0.0);
-  }
   float cosThrough = -dot(toLight, toViewer);
   float specular = cosThrough > 0.0 ? pow(min(cosThrough, 1.0), exponent) : 0.0;
   return vec2(abs(dot(normal, toLight)), specular);

@@ -169,7 +169,7 @@ vec4 EvaluateInDataSpace(int function, FunctionInput i)
   }
   if (function == 31)
   {
-    return OneNumber(LightSide(i.normal, i.toLight, i.toViewer));
+    return OneNumber(ShareBehind(i.normal, i.toLight, i.toViewer));
   }
   if (function == 32)
   {

@@ -124,12 +124,14 @@ void CheckTransmittedLight(Check& check)
     light = optics::TransmittedLight(sign * normal, { 0.0, 0.6, -0.8 }, viewer, 2.0);
     check.Near("diffuse from aside", light.x, 0.8, Rounding);
     check.Near("specular from aside", light.y, 0.28 * 0.28, Rounding);
-    light = optics::TransmittedLight(sign * normal, { 0.0, -0.6, 0.8 }, viewer, 7.0);
-    check.That(light.x == 0.0 && light.y == 0.0, "the viewer's side transmits nothing");
-    check.AtLeast("it reflects", optics::LightSide(sign * normal, normal, viewer), 0.7);
+    check.Near("behind", optics::ShareBehind(sign * normal, behind, viewer), 1.0, 0.0);
+    check.Near("the viewer's side", optics::ShareBehind(sign * normal, { 0.0, -0.6, 0.8 }, viewer), 0.0, 0.0);
+    check.Near("in the surface", optics::ShareBehind(sign * normal, { 1.0, 0.0, 0.0 }, viewer), 0.0, 0.0);
+    const double half = 0.5 * optics::LightFade / viewer.z;
+    check.Near(
+      "a light that fades", optics::ShareBehind(sign * normal, { 1.0, 0.0, -half }, viewer), 0.5, Rounding);
   }
-  const optics::vec2 none = optics::TransmittedLight(optics::vec3(0.0), behind, viewer, 7.0);
-  check.That(none.x == 0.0 && none.y == 0.0, "no normal, no light");
+  check.Near("no normal", optics::ShareBehind(optics::vec3(0.0), behind, viewer), 0.0, 0.0);
 }
 
 // Composites what `steps` segments of a peak transmit, and without the share alpha (1 - alpha) of each.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Light from behind: where there is none, VTK's model in our lighting is VTK's own; what shines through does not
-// depend on the step; an opaque surface transmits nothing.
+// depend on the step; an opaque surface transmits nothing; and no sample changes sides at once.
 
 #include "TestScene.h"
 
@@ -74,6 +74,41 @@ void TestSteps(Check& check)
   }
   check.AtMost("an opaque peak", RedThrough(0.01, 0.001), 0.005);
 }
+
+// Planes of equal scalars, and a light that grazes all of them, at an angle in radians. Scattered light has no cosine:
+// much of it is there.
+std::vector<float> PictureLitAt(double angle)
+{
+  TestScene scene;
+  scene.Source->SetFieldToLinearRamp();
+  LightFrom(scene, 0.0, -std::cos(angle), std::sin(angle));
+  scene.Property->SetReflectanceModelToBlinnPhong();
+  scene.Property->SetIntegrationSpaceToData();
+  scene.Property->SetScalarOpacityUnitInterval(0.1);
+  scene.Property->SetAmbient(0.0);
+  scene.Property->SetDiffuse(0.9);
+  scene.Property->SetSpecular(0.0);
+  scene.Property->SetTransmittedLightToDiffuse();
+  return scene.RenderFloat();
+}
+
+double LargestDifference(const std::vector<float>& a, const std::vector<float>& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(double(a[i]) - double(b[i])));
+  }
+  return largest;
+}
+
+// Ten times what rounding makes of a normal is within one code; far away the sides differ.
+void TestSides(Check& check)
+{
+  const std::vector<float> before = PictureLitAt(-5.0e-6);
+  check.AtMost("across, by 1e-5", LargestDifference(before, PictureLitAt(5.0e-6)), 1.0 / 255.0);
+  check.AtLeast("across, by a tenth", LargestDifference(PictureLitAt(-0.05), PictureLitAt(0.05)), 0.1);
+}
 }
 
 int TestTransmittedLight(int, char*[])
@@ -81,5 +116,6 @@ int TestTransmittedLight(int, char*[])
   Check check;
   TestLightsInFront(check);
   TestSteps(check);
+  TestSides(check);
   return check.ExitCode();
 }

@@ -153,13 +153,10 @@ Vector PhongRadiance(const Scene& scene, const Sample& sample, const Vector& col
   Vector specular(0.0);
   for (const Light& light : scene.lights)
   {
-    const Illumination illumination = IlluminationAt(scene, light, sample.position);
+    Illumination illumination = IlluminationAt(scene, light, sample.position);
+    illumination.factor *= 1.0 - ShareBehind(scene, sample, illumination.toLight);
     const Vector between = illumination.toLight + sample.toViewer;
     const double cosHalf = glm::dot(normal, between) / std::max(glm::length(between), 1.0e-10);
-    if (IsTransmitted(scene, sample, illumination.toLight))
-    {
-      continue;
-    }
     diffuse +=
       illumination.factor * Facing(glm::dot(normal, illumination.toLight), scene.twoSided) * light.diffuse;
     const double facing = Facing(cosHalf, scene.twoSided);

@@ -29,7 +29,8 @@ Vector Transmitted(const Scene& scene, const Sample& sample)
     const glm::dvec2 through =
       optics::TransmittedLight(gradient / length, illumination.toLight, sample.toViewer, scene.specularPower);
     const double specular = scene.transmittedLight == TransmittedLight::DiffuseAndSpecular ? through.y : 0.0;
-    sum += illumination.factor * (through.x + specular) * light.diffuse;
+    const double behind = ShareBehind(scene, sample, illumination.toLight);
+    sum += behind * illumination.factor * (through.x + specular) * light.diffuse;
   }
   return sum;
 }
@@ -197,10 +198,13 @@ Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector
 }
 
 //------------------------------------------------------------------------------
-bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& toLight)
+double ShareBehind(const Scene& scene, const Sample& sample, const Vector& toLight)
 {
-  return scene.transmittedLight != TransmittedLight::Off &&
-    optics::LightSide(PairGradientAt(scene, sample), toLight, sample.toViewer) < 0.0;
+  const Vector gradient = PairGradientAt(scene, sample);
+  const double length = glm::length(gradient);
+  return scene.transmittedLight != TransmittedLight::Off && length > 0.0
+    ? optics::ShareBehind(gradient / length, toLight, sample.toViewer)
+    : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -280,11 +284,8 @@ Vector Reflected(const Scene& scene, const Sample& sample, const Vector& color)
   Vector specular(0.0);
   for (const Light& light : scene.lights)
   {
-    const Illumination illumination = IlluminationAt(scene, light, sample.position);
-    if (IsTransmitted(scene, sample, illumination.toLight))
-    {
-      continue;
-    }
+    Illumination illumination = IlluminationAt(scene, light, sample.position);
+    illumination.factor *= 1.0 - ShareBehind(scene, sample, illumination.toLight);
     const double cosTheta = -glm::dot(illumination.toLight, sample.toViewer);
     diffuse +=
       illumination.factor * optics::HenyeyGreenstein(scene.scatteringAnisotropy, cosTheta) * light.diffuse;

@@ -33,8 +33,8 @@ struct Illumination
 };
 Illumination IlluminationAt(const Scene& scene, const Light& light, const Vector& point);
 
-// Whether a light falls on the side that the viewer does not see, and shines through: it is not reflected then.
-bool IsTransmitted(const Scene& scene, const Sample& sample, const Vector& toLight);
+// How much of a light falls on the side that the viewer does not see, and shines through: it is not reflected then.
+double ShareBehind(const Scene& scene, const Sample& sample, const Vector& toLight);
 
 // The gradient of the classified extinction: direction -grad(sigma)/|grad(sigma)| (unit, or 0) and the
 // scale-free specular coefficient K. tangentNormal and anisotropy are the unclassified scalar's.
