@@ -129,8 +129,9 @@ private:
     this->ChooseRange(type == VTK_FLOAT || type == VTK_DOUBLE);
     this->Fill(scalars);
     scalars->SetName("scalars");
-    vtkDataSetAttributes* attributes =
-      areOfCells ? static_cast<vtkDataSetAttributes*>(this->Image->GetCellData()) : this->Image->GetPointData();
+    vtkDataSetAttributes* attributes = areOfCells
+      ? static_cast<vtkDataSetAttributes*>(this->Image->GetCellData())
+      : this->Image->GetPointData();
     const bool areNamed = this->Random.Is(0.1); // instead of being the active ones
     areNamed ? attributes->AddArray(scalars) : attributes->SetScalars(scalars);
     if (areNamed)

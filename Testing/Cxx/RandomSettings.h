@@ -106,8 +106,7 @@ private:
     this->Property->SetGradientOpacity(component, hasGradient ? this->GradientOpacities() : nullptr);
     this->Property->SetDisableGradientOpacity(component, this->Random.Is(0.2));
     const bool hasTable = this->Random.Is(component == 0 ? 0.08 : 0.0);
-    this->Property->SetTransferFunctionMode(
-      hasTable ? vtkVolumeProperty::TF_2D : vtkVolumeProperty::TF_1D);
+    this->Property->SetTransferFunctionMode(hasTable ? vtkVolumeProperty::TF_2D : vtkVolumeProperty::TF_1D);
     if (hasTable)
     {
       this->Property->SetTransferFunction2D(component, this->Table());
@@ -182,9 +181,9 @@ private:
     for (int i = this->Random.Of(surfaces); i > 0; --i)
     {
       const double opacity = this->Random.Setting(0.0, 1.0);
-      this->Random.Is(0.3)
-        ? this->Property->AddIsosurface(this->Data.Scalar(), opacity)
-        : this->Property->AddIsosurface(this->Data.Scalar(), 0.9, 0.2, this->Random.Setting(0.0, 1.0), opacity);
+      this->Random.Is(0.3) ? this->Property->AddIsosurface(this->Data.Scalar(), opacity)
+                           : this->Property->AddIsosurface(
+                               this->Data.Scalar(), 0.9, 0.2, this->Random.Setting(0.0, 1.0), opacity);
     }
   }
 
@@ -233,7 +232,8 @@ private:
       const double high[2] = { this->Data.Scalar(), std::numeric_limits<double>::infinity() };
       const int rule = rules->AddRule(low, high, this->Random.Is(0.5) ? low : high, 0.9, 0.2,
         this->Random.Setting(0.0, 1.0), this->Random.Setting(0.0, 1.0));
-      rules->SetSoftness(rule, this->Random.Number(3), this->Data.GetWidth() * this->Random.Setting(0.0, 1.0));
+      rules->SetSoftness(
+        rule, this->Random.Number(3), this->Data.GetWidth() * this->Random.Setting(0.0, 1.0));
     }
     return rules;
   }
