@@ -58,7 +58,7 @@ bool IntegrationTerm::IsActive(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 bool IntegrationTerm::Prepare(const OpticsScene& scene)
 {
-  return this->Frames.Serves(scene) && this->Isosurfaces.Prepare(scene);
+  return this->Frames.Serves(scene);
 }
 
 //------------------------------------------------------------------------------

@@ -50,20 +50,6 @@ void SurfaceColor(const OpticsScene& scene, int index, double scalar, double rgb
 }
 
 //------------------------------------------------------------------------------
-bool IsosurfaceTexture::Prepare(const OpticsScene& scene)
-{
-  const int count = scene.Optics->GetNumberOfIsosurfaces();
-  if (HasIsosurfaces(scene) && count > LargestNumber)
-  {
-    scene.Mapper->Say(std::to_string(count) + " isosurfaces are more than the " +
-      std::to_string(LargestNumber) +
-      " that can be drawn: opacity is VTK's own. Remove some by RemoveIsosurface().");
-    return false;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 void IsosurfaceTexture::Update(const OpticsScene& scene)
 {
   double range[2];

@@ -20,9 +20,6 @@ public:
   /** The width that every OpenGL 3.2 has. */
   static constexpr int LargestNumber = 1024;
 
-  /** False where there are more, as is said. */
-  bool Prepare(const OpticsScene& scene);
-
   /** After VTK has loaded the volume. Uploads what has changed. */
   void Update(const OpticsScene& scene);
   void SetUniforms(vtkShaderProgram* program);

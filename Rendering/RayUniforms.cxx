@@ -48,13 +48,19 @@ double UnitDistance(const OpticsScene& scene)
 }
 
 //------------------------------------------------------------------------------
-void ScalarRange(const OpticsScene& scene, int component, double range[2])
+void WidenEmptyRange(double range[2])
 {
-  scene.Mapper->GetLoadedScalarRange(component, range);
   if (!(range[1] > range[0]))
   {
     range[1] = range[0] + std::max(1.0, std::abs(range[0])) * 1.0e-3;
   }
+}
+
+//------------------------------------------------------------------------------
+void ScalarRange(const OpticsScene& scene, int component, double range[2])
+{
+  scene.Mapper->GetLoadedScalarRange(component, range);
+  WidenEmptyRange(range);
 }
 
 //------------------------------------------------------------------------------

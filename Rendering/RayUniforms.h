@@ -15,6 +15,9 @@ double SmallestSpacing(const OpticsScene& scene);
 
 double UnitDistance(const OpticsScene& scene);
 
+/** Gives a width to a range that has none. */
+void WidenEmptyRange(double range[2]);
+
 /** The loaded scalars' range of a component; a constant one is given a width. */
 void ScalarRange(const OpticsScene& scene, int component, double range[2]);
 

@@ -3,6 +3,7 @@
 
 #include "SceneNeeds.h"
 
+#include "IsosurfaceTexture.h"
 #include "LightUniforms.h"
 #include "LineVoxels.h"
 #include "vtkOpticsVolumeMapper.h"
@@ -98,6 +99,13 @@ std::string FindUnsupportedByIntegral(const OpticsScene& scene)
   if (Is2D(scene))
   {
     return "2D transfer functions";
+  }
+  const int surfaces = scene.Optics->GetNumberOfIsosurfaces();
+  const int most = IsosurfaceTexture::LargestNumber;
+  if (scene.Optics->GetIntegrationSpace() == Property::Data && surfaces > most)
+  {
+    return std::to_string(surfaces) + " isosurfaces, which are more than the " + std::to_string(most) +
+      " that can be drawn (RemoveIsosurface() takes some away)";
   }
   return HasLabels(scene) ? "label maps" : std::string();
 }

@@ -21,6 +21,7 @@ void TableRange(const OpticsScene& scene, int rangeType, int component, Function
   if (rangeType == vtkGPUVolumeRayCastMapper::NATIVE)
   {
     function->GetRange(range);
+    WidenEmptyRange(range); // of a function of one node
   }
 }
 }

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // A covering array: rows of choices, one of each term, so that any two (or three, ...) terms are drawn with every
-// combination of their choices that is allowed. Greedy, and the same each time.
+// combination of their choices that is allowed. Row by row, each around a combination that is still missing and with the
+// choices that add most, as [Cohen et al. 1997, The AETG System]; and the same each time.
 
 #ifndef CoveringArray_h
 #define CoveringArray_h
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -18,24 +19,108 @@ namespace
 {
 using Combination = std::vector<int>; // a choice of each term; -1: not chosen yet
 
+// Which choices two terms may have in one row.
+class PairRules
+{
+public:
+  using Test = std::function<bool(int term, int choice, int otherTerm, int otherChoice)>;
+  using Choices = std::uint64_t;        // of a term, a bit each
+  using Domains = std::vector<Choices>; // those that each term still may have
+
+  PairRules(const std::vector<int>& choices, const Test& isAllowed)
+    : All(choices.size())
+    , Partners(choices.size())
+  {
+    const int terms = static_cast<int>(choices.size());
+    for (int term = 0; term < terms; ++term)
+    {
+      this->All[term] = ~Choices(0) >> (64 - choices[term]);
+      for (int choice = 0; choice < choices[term]; ++choice)
+      {
+        this->Partners[term].emplace_back(terms);
+        for (int other = 0; other < terms; ++other)
+        {
+          Choices& partners = this->Partners[term].back()[other];
+          for (int otherChoice = 0; otherChoice < choices[other]; ++otherChoice)
+          {
+            const bool holds = other == term || isAllowed(term, choice, other, otherChoice);
+            partners |= Choices(holds) << otherChoice;
+          }
+        }
+      }
+    }
+  }
+
+  const Domains& GetAll() const { return this->All; }
+
+  bool AreAllowed(int term, int choice, int other, int otherChoice) const
+  {
+    return (this->Partners[term][choice][other] >> otherChoice & 1U) != 0;
+  }
+
+  // Takes away what no longer goes with any choice of some other term; false where a term is left without one.
+  bool Choose(Domains& domains, int term, int choice) const
+  {
+    domains[term] &= Choices(1) << choice;
+    std::vector<int> changed = { term };
+    while (!changed.empty() && domains[term] != 0)
+    {
+      const int last = changed.back();
+      changed.pop_back();
+      for (int other = 0; other < static_cast<int>(domains.size()); ++other)
+      {
+        const Choices left =
+          other == last ? domains[other] : domains[other] & this->PartnersOf(domains, last, other);
+        if (left == 0)
+        {
+          return false;
+        }
+        if (left != domains[other])
+        {
+          domains[other] = left;
+          changed.push_back(other);
+        }
+      }
+    }
+    return domains[term] != 0;
+  }
+
+private:
+  Choices PartnersOf(const Domains& domains, int term, int other) const
+  {
+    Choices partners = 0;
+    for (std::size_t choice = 0; choice < this->Partners[term].size(); ++choice)
+    {
+      partners |= (domains[term] >> choice & 1U) != 0 ? this->Partners[term][choice][other] : 0;
+    }
+    return partners;
+  }
+
+  Domains All;
+  std::vector<std::vector<std::vector<Choices>>> Partners; // of term and choice, in each other term
+};
+
 class CoveringArray
 {
 public:
-  using PairTest = std::function<bool(int term, int choice, int otherTerm, int otherChoice)>;
-
-  // choices: how many each term has. isAllowed: whether two choices may be in one row.
-  CoveringArray(const std::vector<int>& choices, int strength, const PairTest& isAllowed)
+  // choices: how many each term has, up to 64. isAllowed: whether two choices may be in one row.
+  CoveringArray(
+    const std::vector<int>& choices, int strength, const PairRules::Test& isAllowed, std::uint32_t seed = 1)
     : Choices(choices)
-    , IsAllowed(isAllowed)
+    , Rules(choices, isAllowed)
     , SetsOfTerm(choices.size())
+    , State(seed)
   {
     std::vector<int> terms;
     this->AddSets(terms, std::min(strength, static_cast<int>(choices.size())));
-    for (const Tuple tuple : this->All)
+    for (const Set& set : this->Sets)
     {
-      if (this->Missing.count(tuple) > 0)
+      for (std::size_t tuple = 0; tuple < set.Count; ++tuple)
       {
-        this->AddRow(tuple);
+        if (this->Missing[set.First + tuple] != 0)
+        {
+          this->AddRow(set, tuple);
+        }
       }
     }
   }
@@ -46,23 +131,19 @@ public:
   int GetNumberOfImpossible() const { return this->Impossible; }
 
 private:
-  using Tuple = std::uint64_t; // a few terms, ascending, and their choices
-
-  // Six bits each; up to five terms.
-  static Tuple Extended(Tuple tuple, int term, int choice)
+  // Some terms, and where the combinations of their choices begin; the last term's choice counts fastest.
+  struct Set
   {
-    return (tuple << 12U) | static_cast<Tuple>((term + 1) << 6U | choice); // a term is never 0
-  }
+    std::vector<int> Terms;
+    std::size_t First;
+    std::size_t Count;
+  };
 
   void AddSets(std::vector<int>& terms, int more)
   {
     if (more == 0)
     {
-      this->AddTuples(terms, Combination(this->Choices.size(), -1), 0, 0);
-      for (const int term : terms)
-      {
-        this->SetsOfTerm[term].push_back(terms);
-      }
+      this->AddSet(terms);
       return;
     }
     for (int term = terms.empty() ? 0 : terms.back() + 1; term < static_cast<int>(this->Choices.size());
@@ -74,65 +155,78 @@ private:
     }
   }
 
-  void AddTuples(const std::vector<int>& terms, Combination row, std::size_t place, Tuple tuple)
+  void AddSet(const std::vector<int>& terms)
   {
-    if (place == terms.size())
+    Set set = { terms, this->Missing.size(), 1 };
+    for (const int term : terms)
     {
-      this->All.push_back(tuple);
-      this->Missing.insert(tuple);
-      return;
+      set.Count *= static_cast<std::size_t>(this->Choices[term]);
+      this->SetsOfTerm[term].push_back(this->Sets.size());
     }
-    const int term = terms[place];
-    for (int choice = 0; choice < this->Choices[term]; ++choice)
+    for (std::size_t tuple = 0; tuple < set.Count; ++tuple)
     {
-      if (this->Fits(row, term, choice))
-      {
-        row[term] = choice;
-        this->AddTuples(terms, row, place + 1, Extended(tuple, term, choice));
-        row[term] = -1;
-      }
+      this->Missing.push_back(this->AreAllowed(this->ChoicesOf(set, tuple), terms) ? 1 : 0);
     }
+    this->Sets.push_back(set);
   }
 
-  Combination RowOf(Tuple tuple) const
+  Combination ChoicesOf(const Set& set, std::size_t tuple) const
   {
     Combination row(this->Choices.size(), -1);
-    for (; tuple != 0; tuple >>= 12U)
+    for (auto term = set.Terms.rbegin(); term != set.Terms.rend(); ++term)
     {
-      row[((tuple >> 6U) & 63U) - 1] = static_cast<int>(tuple & 63U);
+      const auto count = static_cast<std::size_t>(this->Choices[*term]);
+      row[*term] = static_cast<int>(tuple % count);
+      tuple /= count;
     }
     return row;
   }
 
-  // Around a combination; the best of some attempts, which take the other terms in another order.
-  void AddRow(Tuple seed)
+  bool AreAllowed(const Combination& row, const std::vector<int>& terms) const
   {
-    std::unordered_set<Tuple> best;
-    Combination bestRow;
-    for (int attempt = 0; attempt < 8; ++attempt)
+    for (std::size_t i = 0; i < terms.size(); ++i)
     {
-      Combination row = this->RowOf(seed);
-      std::unordered_set<Tuple> found;
-      if (this->Fill(row, this->OrderOfOthers(row), 0))
+      for (std::size_t j = 0; j < i; ++j)
       {
-        found = this->MissingIn(row);
-      }
-      if (found.size() > best.size())
-      {
-        best = found;
-        bestRow = row;
+        if (!this->Rules.AreAllowed(terms[i], row[terms[i]], terms[j], row[terms[j]]))
+        {
+          return false;
+        }
       }
     }
-    if (best.empty())
+    return true;
+  }
+
+  // Around a combination; the best of some attempts, which take the other terms in another order.
+  void AddRow(const Set& set, std::size_t tuple)
+  {
+    const Combination seed = this->ChoicesOf(set, tuple);
+    PairRules::Domains domains = this->Rules.GetAll();
+    bool isPossible = std::all_of(set.Terms.begin(), set.Terms.end(),
+      [&](int term) { return this->Rules.Choose(domains, term, seed[term]); });
+    Combination best;
+    int most = 0;
+    for (int attempt = 0; attempt < 8 && isPossible; ++attempt)
     {
-      this->Missing.erase(seed);
+      Combination row = seed;
+      isPossible = this->Fill(row, domains, this->OrderOfOthers(row), 0);
+      const int found = isPossible ? this->CountMissing(row) : 0;
+      if (found > most)
+      {
+        most = found;
+        best = row;
+      }
+    }
+    if (!isPossible)
+    {
+      this->Missing[set.First + tuple] = 0;
       ++this->Impossible;
       return;
     }
-    this->Rows.push_back(bestRow);
-    for (const Tuple tuple : best)
+    this->Rows.push_back(best);
+    for (const Set& covered : this->Sets)
     {
-      this->Missing.erase(tuple);
+      this->Missing[this->PlaceOf(covered, best)] = 0;
     }
   }
 
@@ -154,78 +248,88 @@ private:
   }
 
   // The choice that adds most first; another one where the rest of the row would have none.
-  bool Fill(Combination& row, const std::vector<int>& order, std::size_t place) const
+  bool Fill(Combination& row, const PairRules::Domains& domains, const std::vector<int>& order,
+    std::size_t place) const
   {
     if (place == order.size())
     {
       return true;
     }
     const int term = order[place];
-    std::vector<std::pair<int, int>> choices; // minus what it adds, and itself
-    for (int choice = 0; choice < this->Choices[term]; ++choice)
+    for (const auto& added : this->ChoicesByGain(row, domains[term], term))
     {
-      if (this->Fits(row, term, choice))
-      {
-        row[term] = choice;
-        int added = 0;
-        this->ForEachMissing(row, term, [&](Tuple) { ++added; });
-        choices.emplace_back(-added, choice);
-        row[term] = -1;
-      }
-    }
-    std::sort(choices.begin(), choices.end());
-    for (const auto& added : choices)
-    {
+      PairRules::Domains left = domains;
       row[term] = added.second;
-      if (this->Fill(row, order, place + 1))
+      if (this->Rules.Choose(left, term, added.second) && this->Fill(row, left, order, place + 1))
       {
         return true;
       }
-      row[term] = -1;
     }
+    row[term] = -1;
     return false;
   }
 
-  bool Fits(const Combination& row, int term, int choice) const
+  // Minus the number of missing combinations that each choice adds to the row, and the choice.
+  std::vector<std::pair<int, int>> ChoicesByGain(
+    const Combination& row, PairRules::Choices domain, int term) const
   {
-    for (int other = 0; other < static_cast<int>(row.size()); ++other)
+    std::vector<std::pair<int, int>> gains;
+    for (int choice = 0; choice < this->Choices[term]; ++choice)
     {
-      if (other != term && row[other] >= 0 && !this->IsAllowed(other, row[other], term, choice))
+      if ((domain >> choice & 1U) != 0)
       {
-        return false;
+        gains.emplace_back(0, choice);
       }
     }
-    return true;
-  }
-
-  // Of the sets that a term is in, and whose other terms are chosen.
-  template <typename Function>
-  void ForEachMissing(const Combination& row, int term, const Function& function) const
-  {
-    for (const std::vector<int>& terms : this->SetsOfTerm[term])
+    Combination with = row;
+    with[term] = 0;
+    for (const std::size_t number : this->SetsOfTerm[term])
     {
+      const Set& set = this->Sets[number];
       const bool isChosen =
-        std::all_of(terms.begin(), terms.end(), [&](int member) { return row[member] >= 0; });
-      Tuple tuple = 0;
-      for (const int member : terms)
+        std::all_of(set.Terms.begin(), set.Terms.end(), [&](int member) { return with[member] >= 0; });
+      if (isChosen)
       {
-        tuple = Extended(tuple, member, std::max(row[member], 0));
-      }
-      if (isChosen && this->Missing.count(tuple) > 0)
-      {
-        function(tuple);
+        const std::size_t place = this->PlaceOf(set, with), step = this->StepOf(set, term);
+        for (auto& gain : gains)
+        {
+          gain.first -= this->Missing[place + gain.second * step];
+        }
       }
     }
+    std::sort(gains.begin(), gains.end());
+    return gains;
   }
 
-  std::unordered_set<Tuple> MissingIn(const Combination& row) const
+  std::size_t PlaceOf(const Set& set, const Combination& row) const
   {
-    std::unordered_set<Tuple> all;
-    for (int term = 0; term < static_cast<int>(row.size()); ++term)
+    std::size_t tuple = 0;
+    for (const int term : set.Terms)
     {
-      this->ForEachMissing(row, term, [&](Tuple tuple) { all.insert(tuple); });
+      tuple = tuple * static_cast<std::size_t>(this->Choices[term]) + static_cast<std::size_t>(row[term]);
     }
-    return all;
+    return set.First + tuple;
+  }
+
+  // From one choice of a term to its next.
+  std::size_t StepOf(const Set& set, int term) const
+  {
+    std::size_t step = 1;
+    for (auto member = set.Terms.rbegin(); *member != term; ++member)
+    {
+      step *= static_cast<std::size_t>(this->Choices[*member]);
+    }
+    return step;
+  }
+
+  int CountMissing(const Combination& row) const
+  {
+    int count = 0;
+    for (const Set& set : this->Sets)
+    {
+      count += this->Missing[this->PlaceOf(set, row)];
+    }
+    return count;
   }
 
   // Numerical Recipes' linear congruence; its high bits.
@@ -236,13 +340,13 @@ private:
   }
 
   std::vector<int> Choices;
-  PairTest IsAllowed;
-  std::vector<std::vector<std::vector<int>>> SetsOfTerm;
-  std::vector<Tuple> All;
-  std::unordered_set<Tuple> Missing;
+  PairRules Rules;
+  std::vector<Set> Sets;
+  std::vector<std::vector<std::size_t>> SetsOfTerm;
+  std::vector<unsigned char> Missing; // of each combination of each set: 1 until a row has it
   std::vector<Combination> Rows;
   int Impossible = 0;
-  std::uint32_t State = 1;
+  std::uint32_t State;
 };
 }
 

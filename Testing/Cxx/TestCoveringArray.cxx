@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A covering array holds what it says, in few rows, and the same ones each time; what is excluded is in none of them.
+// A covering array of any strength holds every combination that some allowed row has, in few rows, and the same ones each
+// time; what is excluded is in none of them.
 
 #include "Check.h"
 #include "CoveringArray.h"
+
+#include <set>
+#include <string>
 
 namespace
 {
@@ -24,64 +28,122 @@ bool IsAllowedEitherWay(int term, int choice, int other, int otherChoice)
                       : IsAllowed(other, otherChoice, term, choice);
 }
 
-int CountRows(
-  const std::vector<Combination>& rows, const std::vector<int>& terms, const std::vector<int>& choices)
+bool IsAllowedRow(const Combination& row)
 {
-  return static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const Combination& row) {
-    bool holds = true;
-    for (std::size_t i = 0; i < terms.size(); ++i)
-    {
-      holds &= row[terms[i]] == choices[i];
-    }
-    return holds;
-  }));
-}
-
-void CheckPairs(Check& check)
-{
-  const CoveringArray array(Choices, 2, IsAllowedEitherWay);
-  const std::vector<Combination>& rows = array.GetRows();
-  check.That(
-    rows == CoveringArray(Choices, 2, IsAllowedEitherWay).GetRows(), "another array the second time");
-  check.AtMost("rows", static_cast<double>(rows.size()), 28.0); // 20 pairs of the largest two terms
-  int impossible = 0;
-  const int terms = static_cast<int>(Choices.size());
-  for (int i = 0; i < terms; ++i)
+  for (int i = 0; i < static_cast<int>(row.size()); ++i)
   {
-    for (int j = i + 1; j < terms; ++j)
+    for (int j = 0; j < i; ++j)
     {
-      for (int pair = 0; pair < Choices[i] * Choices[j]; ++pair)
+      if (!IsAllowedEitherWay(i, row[i], j, row[j]))
       {
-        const int a = pair % Choices[i], b = pair / Choices[i];
-        const bool isMissing = CountRows(rows, { i, j }, { a, b }) == 0;
-        const bool isAllowed = IsAllowed(i, a, j, b);
-        impossible += isAllowed && isMissing ? 1 : 0;
-        check.That(isAllowed || isMissing, "a row has what is excluded");
+        return false;
       }
     }
   }
-  // 0 of term 4 with 2 of term 7, by way of term 6
-  check.Near("pairs that no row can hold", impossible, 1.0, 0.0);
-  check.Near("pairs that are said to be impossible", array.GetNumberOfImpossible(), 1.0, 0.0);
+  return true;
 }
 
-void CheckTriples(Check& check)
+// Every row there is.
+std::vector<Combination> AllowedRows()
 {
-  const auto always = [](int, int, int, int) { return true; };
-  const std::vector<int> choices = { 2, 3, 4, 2, 3 };
-  const std::vector<Combination> rows = CoveringArray(choices, 3, always).GetRows();
-  for (int triple = 0; triple < 3 * 4 * 3; ++triple)
+  std::vector<Combination> rows;
+  int count = 1;
+  for (const int choices : Choices)
   {
-    check.AtLeast("a triple", CountRows(rows, { 1, 2, 4 }, { triple % 3, triple / 3 % 4, triple / 12 }), 1.0);
+    count *= choices;
   }
-  check.AtMost("rows of triples", static_cast<double>(rows.size()), 54.0); // 36 triples of the largest terms
+  for (int number = 0; number < count; ++number)
+  {
+    Combination row;
+    int rest = number;
+    for (const int choices : Choices)
+    {
+      row.push_back(rest % choices);
+      rest /= choices;
+    }
+    if (IsAllowedRow(row))
+    {
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+// Terms and choices of so many terms of a row, each of them.
+void AddTuples(const Combination& row, int strength, std::size_t first, const Combination& begun,
+  std::set<Combination>& tuples)
+{
+  if (strength == 0)
+  {
+    tuples.insert(begun);
+    return;
+  }
+  for (std::size_t term = first; term < row.size(); ++term)
+  {
+    Combination more = begun;
+    more.push_back(static_cast<int>(term));
+    more.push_back(row[term]);
+    AddTuples(row, strength - 1, term + 1, more, tuples);
+  }
+}
+
+std::set<Combination> TuplesOf(const std::vector<Combination>& rows, int strength)
+{
+  std::set<Combination> tuples;
+  for (const Combination& row : rows)
+  {
+    AddTuples(row, strength, 0, {}, tuples);
+  }
+  return tuples;
+}
+
+// mostRows: what is known of the largest terms, and a few more
+void CheckStrength(Check& check, int strength, int mostRows)
+{
+  const CoveringArray array(Choices, strength, IsAllowedEitherWay);
+  const std::vector<Combination>& rows = array.GetRows();
+  const std::string name = "strength " + std::to_string(strength) + ": ";
+  check.That(TuplesOf(rows, strength) == TuplesOf(AllowedRows(), strength),
+    name + "a combination is missing, or one that is excluded is there");
+  check.That(std::all_of(rows.begin(), rows.end(), IsAllowedRow), name + "a row has what is excluded");
+  check.AtMost(name + "rows", static_cast<double>(rows.size()), mostRows);
+  check.That(rows == CoveringArray(Choices, strength, IsAllowedEitherWay).GetRows(),
+    name + "another array the second time");
+  check.That(rows != CoveringArray(Choices, strength, IsAllowedEitherWay, 2).GetRows(),
+    name + "the same array from another seed");
+}
+
+// As many terms as the mapper has, at the strength of the long run: takes a second at most.
+void CheckManyTerms(Check& check)
+{
+  const int terms = 36, choices = 3;
+  const auto isAllowed = [](int term, int choice, int other, int otherChoice) {
+    return (term + other) % 7 != 0 || choice == 0 || otherChoice == 0;
+  };
+  const CoveringArray array(std::vector<int>(terms, choices), 3, isAllowed);
+  std::size_t expected = 0;
+  for (int number = 0; number < terms * terms * terms * 27; ++number)
+  {
+    const int i = number / 27 % terms, j = number / 27 / terms % terms, k = number / 27 / terms / terms;
+    const int a = number % 3, b = number / 3 % 3, c = number / 9 % 3;
+    expected +=
+      i < j && j < k && isAllowed(i, a, j, b) && isAllowed(i, a, k, c) && isAllowed(j, b, k, c) ? 1 : 0;
+  }
+  check.Near("triples of many terms", static_cast<double>(TuplesOf(array.GetRows(), 3).size()),
+    static_cast<double>(expected), 0.0);
+  check.Near("triples that no row can hold", array.GetNumberOfImpossible(), 0.0, 0.0); // 0 goes with all
 }
 }
 
 int TestCoveringArray(int, char*[])
 {
   Check check;
-  CheckPairs(check);
-  CheckTriples(check);
+  CheckStrength(check, 2, 28);  // 20 pairs of the largest two terms
+  CheckStrength(check, 3, 120); // 80 triples of the largest three
+  CheckStrength(check, 4, 400); // 240 of the largest four
+  // 0 of term 4 with 2 of term 7, by way of term 6
+  check.Near("pairs that no row can hold",
+    CoveringArray(Choices, 2, IsAllowedEitherWay).GetNumberOfImpossible(), 1.0, 0.0);
+  CheckManyTerms(check);
   return check.ExitCode();
 }

@@ -112,6 +112,29 @@ void CheckColorRange(Check& check)
     LargestDifference(draw(nullptr, vtkGPUVolumeRayCastMapper::SCALAR, true), expected), 20.0);
 }
 
+// So are functions of one node, which have no range.
+void CheckOneNode(Check& check)
+{
+  const auto draw = [](vtkGPUVolumeRayCastMapper* mapper, bool preIntegrated) {
+    TestScene scene(mapper);
+    scene.Window->SetSize(24, 24);
+    scene.Color->RemoveAllPoints();
+    scene.Color->AddRGBPoint(0.45, 1.0, 0.5, 0.2);
+    scene.Opacity->RemoveAllPoints();
+    scene.Opacity->AddPoint(0.7, 0.1);
+    scene.Property->ShadeOff();
+    scene.Property->SetClassification(preIntegrated ? 1 : 0);
+    scene.Mapper->SetSampleDistance(0.01F);
+    scene.Mapper->SetColorRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
+    scene.Mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
+    return scene.Render();
+  };
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
+  // VTK's sum, and its table of 8 bits or more
+  check.AtMost(
+    "codes of functions of one node", LargestDifference(draw(nullptr, true), draw(stock, false)), 4.0);
+}
+
 // VTK takes the depth where something is seen: that of the isosurface, not that of a sample.
 void CheckDepth(Check& check)
 {
@@ -208,6 +231,7 @@ int TestIntegrationInScenes(int, char*[])
   Check check;
   CheckAdjustedDistances(check);
   CheckColorRange(check);
+  CheckOneNode(check);
   CheckDepth(check);
   CheckPeeling(check);
   CheckColorOfFirst(check);

@@ -116,6 +116,35 @@ void CheckRefused(Check& check, const std::string& name, const Setting& setting)
   }
 }
 
+void AddTooManyIsosurfaces(TestScene& s)
+{
+  for (int i = 0; i < 1025; ++i)
+  {
+    s.Property->AddIsosurface(i / 1025.0, 0.1);
+  }
+}
+
+// A model of light goes on without the integral, and so without its isosurfaces.
+void CheckModelWithoutIntegral(Check& check)
+{
+  const auto draw = [](bool isWanted, const std::string& said) {
+    TestScene scene;
+    scene.Window->SetSize(40, 40);
+    scene.Property->SetReflectanceModelToWard();
+    if (isWanted)
+    {
+      scene.Property->SetIntegrationSpaceToData();
+      AddTooManyIsosurfaces(scene);
+    }
+    Warnings warnings(scene.Optics);
+    const std::vector<unsigned char> picture = scene.Render();
+    const bool isSaid = !warnings.Texts.empty() && warnings.Texts[0].find(said) != std::string::npos;
+    return isSaid == isWanted ? picture : std::vector<unsigned char>();
+  };
+  check.That(draw(true, "1025 isosurfaces") == draw(false, "1025 isosurfaces"),
+    "too many isosurfaces: the model's picture is another one, or nothing is said");
+}
+
 void CheckRefusedByIntegral(Check& check)
 {
   for (const Row& row : Rows)
@@ -126,12 +155,9 @@ void CheckRefusedByIntegral(Check& check)
       CheckRefusedBy(check, Integral, name, row.Apply);
     }
   }
-  CheckRefusedBy(check, Integral, "more isosurfaces than there is room for", [](TestScene& s) {
-    for (int i = 0; i < 1025; ++i)
-    {
-      s.Property->AddIsosurface(i / 1025.0, 0.1);
-    }
-  });
+  CheckRefusedBy(check, Integral, "more isosurfaces than there is room for",
+    [](TestScene& s) { AddTooManyIsosurfaces(s); });
+  CheckModelWithoutIntegral(check);
 }
 }
 
