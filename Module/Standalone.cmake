@@ -12,7 +12,7 @@ option(VOLUMEOPTICS_BUILD_PARAVIEW_PLUGIN
   "Build the plugin for ParaView, and nothing else, against ParaView's own VTK" OFF)
 
 set(VOLUMEOPTICS_SANITIZE "" CACHE STRING
-  "Sanitizers to build with, as in -fsanitize=: address,undefined")
+  "Sanitizers to build with, as in -fsanitize=; the presets asan, ubsan and tsan set it")
 if (VOLUMEOPTICS_SANITIZE)
   add_compile_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}" -fno-omit-frame-pointer)
   add_link_options("-fsanitize=${VOLUMEOPTICS_SANITIZE}")

@@ -3,13 +3,16 @@
 
 # Tests of the whole project; those of the module's classes are in Testing/Cxx.
 
-# A Python that is not sanitized itself loads the sanitizer first, and its own leaks do not count.
 set(volumeoptics_python_environment
   "PYTHONPATH=${CMAKE_BINARY_DIR}/lib/python3/dist-packages")
 set(volumeoptics_test_flags "${CMAKE_CXX_FLAGS}")
+set(volumeoptics_preload)
 if (VOLUMEOPTICS_SANITIZE)
   string(APPEND volumeoptics_test_flags " -fsanitize=${VOLUMEOPTICS_SANITIZE}")
-  set(volumeoptics_preload)
+endif ()
+# A Python that is not sanitized itself loads the address sanitizer first, and its own leaks do not
+# count. That of undefined behaviour may come later, with the module.
+if (VOLUMEOPTICS_SANITIZE MATCHES "address")
   foreach (library IN ITEMS libasan.so libstdc++.so)
     execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=${library}"
       OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)
