@@ -90,7 +90,8 @@ bool EmptySpaceTerm::Prepare(const OpticsScene& scene)
 {
   int dimensions[3];
   FindDimensions(scene, dimensions);
-  this->Grid->SetCellSize(scene.Mapper->GetMacrocellSize());
+  const int chosen = scene.Mapper->GetMacrocellSize();
+  this->Grid->SetCellSize(chosen > 0 ? chosen : vtkMacrocellGrid::FindCellSize(dimensions));
   this->Grid->SetScalars(scene.Scalars);
   this->Grid->SetDimensions(dimensions);
   this->Grid->SetComponent(scene.OpacityComponent);

@@ -51,7 +51,8 @@ void vtkOpticsVolumeMapper::SetPreIntegrationTableSize(int size)
 //------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::SetMacrocellSize(int voxels)
 {
-  volumeoptics::SetWithinRange(this, "MacrocellSize", voxels, 2, 64, this->MacrocellSize);
+  const int least = voxels == 0 ? 0 : 2;
+  volumeoptics::SetWithinRange(this, "MacrocellSize", voxels, least, 64, this->MacrocellSize);
 }
 
 //------------------------------------------------------------------------------

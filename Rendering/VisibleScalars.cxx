@@ -34,7 +34,7 @@ VisibleScalars::VisibleScalars(const std::vector<float>& table, const double coo
 //------------------------------------------------------------------------------
 int VisibleScalars::Clamp(double position) const
 {
-  return static_cast<int>(std::clamp(std::floor(position), 0.0, this->Below.size() - 2.0));
+  return static_cast<int>(std::clamp(position, 0.0, this->Below.size() - 2.0));
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,19 @@ namespace
 {
 const int MostBatches = 25; // progress is told between two of them
 const int LeastBatches = 4;
+const int LeastCellSize = 2;
+const int LargestCellSize = 64;
+const double MostAutomaticCells = 262144.0;
+
+double CountCells(const int dimensions[3], int cellSize)
+{
+  double cells = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells *= (dimensions[axis] + cellSize - 1) / cellSize;
+  }
+  return cells;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -28,6 +41,17 @@ vtkMacrocellGrid::vtkMacrocellGrid() = default;
 
 //------------------------------------------------------------------------------
 vtkMacrocellGrid::~vtkMacrocellGrid() = default;
+
+//------------------------------------------------------------------------------
+int vtkMacrocellGrid::FindCellSize(const int dimensions[3])
+{
+  int cellSize = LeastCellSize;
+  while (cellSize < LargestCellSize && CountCells(dimensions, cellSize) > MostAutomaticCells)
+  {
+    cellSize *= 2;
+  }
+  return cellSize;
+}
 
 //------------------------------------------------------------------------------
 void vtkMacrocellGrid::SetScalars(vtkDataArray* scalars)

@@ -42,6 +42,12 @@ public:
   vtkGetMacro(CellSize, int);
   ///@}
 
+  /**
+   * The smallest of 2, 4, 8, ... 64 with which a volume of these dimensions has at most 2^18 cells, as 512^3 voxels
+   * in cells of 8^3 have: small cells leave less to see, and Classify() still takes milliseconds.
+   */
+  static int FindCellSize(const int dimensions[3]);
+
   ///@{
   /**
    * The scalars, x running fastest, and their number on each axis, of which the product is the number of

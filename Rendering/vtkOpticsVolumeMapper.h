@@ -347,7 +347,8 @@ public:
 
   ///@{
   /**
-   * Voxels of a cell of that grid on each axis, in [2, 64]. Default 8.
+   * Voxels of a cell of that grid on each axis, in [2, 64], or 0: automatic, of which
+   * vtkMacrocellGrid::FindCellSize() tells. Default 0.
    */
   void SetMacrocellSize(int voxels);
   vtkGetMacro(MacrocellSize, int);
@@ -502,7 +503,7 @@ private:
   int Coarseness = 1;
   int LastCoarseness = 2; // while the user interacts
   bool SkipEmptySpace = true;
-  int MacrocellSize = 8;
+  int MacrocellSize = 0;
   int DrawnExtent[6] = { 0, -1, 0, -1, 0, -1 };
   int WholeExtent[6] = { 0, -1, 0, -1, 0, -1 };
 

@@ -25,7 +25,7 @@ struct Options
   std::string File;
   int Size = 512;
   int Frames = 9;
-  int Cell = 8;
+  int Cell = 0;
   bool OnlyHoles = false;
 };
 

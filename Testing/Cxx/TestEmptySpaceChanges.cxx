@@ -189,12 +189,14 @@ void TestSettings(Check& check)
 {
   vtkNew<vtkOpticsVolumeMapper> mapper;
   check.That(mapper->GetSkipEmptySpace(), "on by default");
-  check.That(mapper->GetMacrocellSize() == 8, "cells by default");
+  check.That(mapper->GetMacrocellSize() == 0, "cells by default");
   const Warnings warnings(mapper);
   mapper->SetMacrocellSize(1);
   check.That(mapper->GetMacrocellSize() == 2 && warnings.Texts.size() == 1, "cells of one voxel");
   mapper->SetMacrocellSize(65);
   check.That(mapper->GetMacrocellSize() == 64 && warnings.Texts.size() == 2, "cells too large");
+  mapper->SetMacrocellSize(0);
+  check.That(mapper->GetMacrocellSize() == 0 && warnings.Texts.size() == 2, "automatic cells");
 }
 }
 

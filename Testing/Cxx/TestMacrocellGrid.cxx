@@ -318,11 +318,23 @@ void TestErrors(Check& check)
   grid->SetDimensions(2, 3, 4);
   check.That(grid->Update() && !errors->GetError(), "a grid after errors");
 }
+
+void TestAutomaticCells(Check& check)
+{
+  const int expected[][4] = { { 1, 1, 1, 2 }, { 128, 128, 128, 2 }, { 129, 128, 128, 4 },
+    { 256, 256, 108, 4 }, { 512, 512, 512, 8 }, { 4096, 4096, 4096, 64 }, { 46340, 46340, 46340, 64 } };
+  for (const auto& size : expected)
+  {
+    check.That(vtkMacrocellGrid::FindCellSize(size) == size[3],
+      "automatic cells of " + std::to_string(size[0]) + " voxels on x");
+  }
+}
 }
 
 int TestMacrocellGrid(int, char*[])
 {
   Check check;
+  TestAutomaticCells(check);
   TestRanges(check);
   TestNonFinite(check);
   TestClassification(check);
