@@ -17,7 +17,7 @@ uniform vec4 in_opticsGather;               // a ray's length, relative to the d
                                             // of it; 1 in perspective; 1, or 0: nothing is known
 
 // Of the pixel, what samples contribute that take the visibility of one before them: too little to gather for.
-const float opticsLargestShare = 1.0 / 64.0;
+const float opticsLargestShare = 1.0 / 16.0;
 
 // Out of a sample's own stretch, relative to that along the eye's ray. Where rays graze, a surface no longer lies across
 // the eye's ray, but somehow.
