@@ -147,7 +147,8 @@ inline double Compare(
 
 inline double MeanDifference(const Choice& choice, const Cut& cut)
 {
-  return Compare(choice, cut, [](TestScene&) {}, MeanOfPixels);
+  return Compare(
+    choice, cut, [](TestScene&) {}, MeanOfPixels);
 }
 }
 

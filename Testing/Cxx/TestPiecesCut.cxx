@@ -100,7 +100,8 @@ void TestOcclusion(Check& check)
 // Samples fall on the faces between pieces, to the rounding: each is in one piece, and all of them are drawn.
 void TestSamplesOnFaces(Check& check)
 {
-  const Row halfVoxels = { "half voxels", [](TestScene& scene) { scene.Mapper->SetSampleDistance(1.0F / 31.0F); } };
+  const Row halfVoxels = { "half voxels",
+    [](TestScene& scene) { scene.Mapper->SetSampleDistance(1.0F / 31.0F); } };
   const auto lookAlongAxis = [](TestScene& scene) {
     scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
     scene.Renderer->GetActiveCamera()->SetPosition(0.0, -4.0, 0.0);
