@@ -7,6 +7,8 @@
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
@@ -50,6 +52,51 @@ Box Place(const int extent[6], const int input[6], const Box& ofInput)
     }
   }
   return box;
+}
+
+// Where the whole would be cropped, as a plane of the input. VTK takes a plane's share of the bounds for its texture
+// coordinate, and so is off by up to half a voxel, which each piece would be by another length.
+double AlignPlane(
+  double plane, vtkImageData* input, int axis, const int whole[6], const Box& ofInput, const Box& ofWhole)
+{
+  const int first = input->GetExtent()[2 * axis];
+  const int size = input->GetExtent()[2 * axis + 1] - first;
+  const double sizeOfWhole = whole[2 * axis + 1] - whole[2 * axis];
+  if (size == 0 || sizeOfWhole <= 0.0)
+  {
+    return plane;
+  }
+  const double origin = input->GetOrigin()[axis];
+  const double spacing = input->GetSpacing()[axis];
+  const double share = std::clamp(((plane - origin) / spacing - whole[2 * axis]) / sizeOfWhole, 0.0, 1.0);
+  const double margin = ofInput.Least[axis] > 0.0F ? 0.5 / (sizeOfWhole + 1.0) : 0.0; // of points
+  const double place = (share - margin) / (1.0 - 2.0 * margin);
+  const double inInput = ofWhole.Least[axis] + place * (ofWhole.Greatest[axis] - ofWhole.Least[axis]);
+  return origin + spacing * (first + inInput * size);
+}
+
+// Of an image whose axes are those of its coordinates, as cropping is only there in its place.
+void AlignCropping(vtkOpticsVolumeMapper* mapper, const int whole[6], const Box& ofInput, const Box& ofWhole,
+  vtkShaderProgram* program)
+{
+  vtkImageData* input = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  if (!mapper->GetCropping() || !input->GetDirectionMatrix()->IsIdentity())
+  {
+    return;
+  }
+  float planes[6];
+  for (int side = 0; side < 6; ++side)
+  {
+    const double plane = mapper->GetCroppingRegionPlanes()[side];
+    planes[side] = static_cast<float>(AlignPlane(plane, input, side / 2, whole, ofInput, ofWhole));
+  }
+  program->SetUniform1fv("in_croppingPlanes", 6, planes);
+}
+
+bool HasClippingPlanes(vtkOpticsVolumeMapper* mapper)
+{
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  return planes && planes->GetNumberOfItems() > 0;
 }
 
 // Not beyond the input.
@@ -97,12 +144,19 @@ void PieceTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* program)
   Box ofInput;
   scene.Mapper->GetTextureBox(ofInput.Least, ofInput.Greatest);
   const Box ofDrawn = Place(drawn, input, ofInput);
-  const Box ofWhole = Place(IsEmpty(whole) ? drawn : whole, input, ofInput);
-  program->SetUniform3f("in_opticsWholeMin", ofWhole.Least);
-  program->SetUniform3f("in_opticsWholeMax", ofWhole.Greatest);
+  if (IsEmpty(whole))
+  {
+    std::copy(drawn, drawn + 6, whole);
+  }
+  const Box ofWhole = Place(whole, input, ofInput);
+  // VTK counts samples from a clipping plane, if one cuts the ray's beginning off, and places it by each piece's size
+  const Box ofSamples = HasClippingPlanes(scene.Mapper) ? ofDrawn : ofWhole;
+  program->SetUniform3f("in_opticsWholeMin", ofSamples.Least);
+  program->SetUniform3f("in_opticsWholeMax", ofSamples.Greatest);
   program->SetUniform3f("in_opticsInputMin", ofInput.Least);
   program->SetUniform3f("in_opticsInputMax", ofInput.Greatest);
   program->SetUniformf("in_opticsNearest", FindNearest(scene.Renderer->GetActiveCamera()));
+  AlignCropping(scene.Mapper, whole, ofInput, ofWhole, program);
   program->SetUniform3fv("in_texMin", 1, &ofDrawn.Least);
   program->SetUniform3fv("in_texMax", 1, &ofDrawn.Greatest);
 }

@@ -179,7 +179,7 @@ void MeasureVolume(Benchmark& benchmark, int size)
   vtkNew<vtkPrincipalCurvatureFilter> curvature;
   vtkNew<vtkAmbientCovarianceFilter> covariance;
   vtkNew<vtkGradientAlignedHistogram> histogram;
-  const std::pair<const char*, vtkImageAlgorithm*> filters[] = { { "Sobel", sobel },
+  const std::pair<const char*, vtkImageAlgorithm*> filters[] = { { "normals", sobel },
     { "curvature", curvature }, { "covariance", covariance } };
   for (const auto& [name, filter] : filters)
   {

@@ -13,13 +13,15 @@ folder=$(dirname "${BASH_SOURCE[0]}")
 port=$((20000 + $$ % 20000))
 log=$VOLUMEOPTICS_OUTPUT/server-$sides.log
 
-# Another version of the plugin: the same but for the number, which has five characters.
+# Another version of the plugin: the same but for the number's digits, each of which another one takes the place of.
 if [ "$sides" = other ]; then
   folder_of_other=$VOLUMEOPTICS_OUTPUT/other
   rm -rf "$folder_of_other"
   cp -r "$(dirname "$VOLUMEOPTICS_PLUGIN")" "$folder_of_other"
   export VOLUMEOPTICS_OTHER_PLUGIN=$folder_of_other/VolumeOptics.so
-  sed -i "s/${VOLUMEOPTICS_VERSION//./\\.}/9.9.9/g" "$VOLUMEOPTICS_OTHER_PLUGIN"
+  VOLUMEOPTICS_OTHER_VERSION=$(tr 0-9 1-90 <<<"$VOLUMEOPTICS_VERSION")
+  export VOLUMEOPTICS_OTHER_VERSION
+  sed -i "s/${VOLUMEOPTICS_VERSION//./\\.}/$VOLUMEOPTICS_OTHER_VERSION/g" "$VOLUMEOPTICS_OTHER_PLUGIN"
 fi
 
 "$mpirun" --oversubscribe -n 2 "$programs/pvserver" --server-port=$port --force-offscreen-rendering >"$log" 2>&1 &
