@@ -165,7 +165,9 @@ private:
     this->Mapper->SetUseDepthPass(this->Random.Is(0.05));
     this->Mapper->GetDepthPassContourValues()->SetValue(0, this->Data.Scalar());
     this->Mapper->SetRenderToImage(this->Random.Is(0.03));
-    if (this->Random.Is(0.08))
+    const bool isAlone =
+      this->Mapper->GetNumberOfInputConnections(1) == 0; // VTK has no blocks of two volumes
+    if (this->Random.Is(0.08) && isAlone)
     {
       this->Mapper->SetPartitions(static_cast<unsigned short>(1 + this->Random.Number(3)),
         static_cast<unsigned short>(1 + this->Random.Number(3)),

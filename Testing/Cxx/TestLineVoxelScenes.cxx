@@ -300,6 +300,39 @@ void CheckOcclusion(Check& check)
   check.That(messages.Texts.empty(), messages.Texts.empty() ? "" : "said: " + messages.Texts[0]);
 }
 
+// Lines whose bricks VTK loads in blocks: the same picture, also where they hide light from each other.
+void CheckPartitions(Check& check)
+{
+  const auto voxels = Spirals(16, 16, 16);
+  const auto draw = [&](bool isInBlocks, bool isOccluded, bool isAdjusted) {
+    LineTermScene scene(voxels, 60);
+    vtkNew<vtkOpticsVolumeProperty> optics;
+    optics->SetOcclusion(isOccluded);
+    scene.Volume->SetProperty(optics);
+    scene.Mapper->SetLockSampleDistanceToInputSpacing(isAdjusted);
+    scene.Mapper->SetPartitions(isInBlocks ? 2 : 1, 1, isInBlocks ? 2 : 1);
+    return scene.RenderFloat();
+  };
+  const auto mean = [](const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      sum += std::abs(a[i] - b[i]);
+    }
+    return 255.0 * sum / static_cast<double>(a.size());
+  };
+  for (const bool isAdjusted : { false, true })
+  {
+    const auto plain = draw(true, false, isAdjusted), occluded = draw(true, true, isAdjusted);
+    const double ofVTK = mean(plain, draw(false, false, isAdjusted));
+    // as in TestSweepBlocks
+    check.AtMost("occluded in blocks", mean(occluded, draw(false, true, isAdjusted)), ofVTK + 0.5);
+    check.AtMost("in blocks", ofVTK, 0.5);
+    check.AtLeast(
+      "occlusion in blocks", mean(occluded, plain), 1.0); // in both kinds of picture, not by chance
+  }
+}
+
 // The step of an automatic or locked sample distance is a voxel's, not a brick's.
 void CheckSampleDistance(Check& check)
 {
@@ -331,6 +364,7 @@ int TestLineVoxelScenes(int, char*[])
   CheckDepthPeeling(check);
   CheckExtremes(check);
   CheckOcclusion(check);
+  CheckPartitions(check);
   CheckSampleDistance(check);
   return check.ExitCode();
 }
