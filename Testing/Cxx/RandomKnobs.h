@@ -57,9 +57,9 @@ private:
     this->Mapper->SetSampleDistance(
       static_cast<float>(this->Data.GetScale() * this->Random.PowerOfTen(-1.0, 1.0)));
     this->Mapper->SetUseJittering(this->Random.Is(0.3));
-    // VTK's own pictures of less than a pixel end in a crash
+    // VTK's own pictures of less than two pixels fail, or end in a crash
     const int* size = this->Window->GetSize();
-    const double most = std::min({ size[0], size[1], 4 });
+    const double most = std::clamp(std::min(size[0], size[1]) / 2, 1, 4);
     this->Mapper->SetImageSampleDistance(
       this->Random.Is(0.9) ? 1.0F : static_cast<float>(this->Random.Between(0.5, most)));
     this->Optics->SetSkipEmptySpace(this->Random.Is(0.5));
