@@ -75,6 +75,8 @@ private:
     vtkAmbientCovarianceFilter* filter = this->Optics->GetAmbientCovarianceFilter();
     filter->SetStorage(this->Random.Choice(3));
     filter->SetRadius(this->Random.Setting(1.0, 8.0));
+    filter->SetScalarTolerance(this->Random.Setting(0.0, 1.0));
+    filter->SetNumberOfSamples(this->Random.Is(0.1) ? 2 : 3 + this->Random.Number(100));
     filter->SetSamplingPattern(this->Random.Choice(4));
     filter->SetSampleInterpolation(this->Random.Choice(2));
     filter->SetNoiseCorrection(this->Random.Is(0.5));

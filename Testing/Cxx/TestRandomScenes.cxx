@@ -21,7 +21,8 @@ namespace
 {
 // Of what may be said: by the setters, and by what draws.
 const char* const Documented[] = { "is outside its range", "is not a number", "is not finite",
-  "are not finite", "is none of", "is not set: choose", "does not support", "do not support",
+  "are not finite", "is none of", "is not set: choose", "is not set: reflectance model", "is not added",
+  "no boundary is added", "there is no boundary", "there is no rule", "does not support", "do not support",
   "Occlusion is left out", "Shadows are left out", "HybridNormals need a scalar opacity function",
   "more lights than", "are not those that the lines' voxels", "normals and anisotropy cannot be used" };
 
@@ -139,7 +140,7 @@ std::string FaultOfFrame(RandomScene& scene, int frame, SceneOfVTK& ofVTK)
   return error.empty() ? fault : error;
 }
 
-// Two frames, and one after changes.
+// Two frames, and sometimes one after changes.
 std::string FaultOf(std::uint32_t seed)
 {
   CapturedOutput output;
@@ -148,8 +149,12 @@ std::string FaultOf(std::uint32_t seed)
   const std::size_t firstOfFrames = output.GetTexts().size();
   const std::string fault = FaultOfFrame(scene, 0, ofVTK);
   const std::size_t last = output.GetTexts().size();
-  scene.Change();
-  const std::string later = FaultOfFrame(scene, 1, ofVTK);
+  const bool changes = seed % 2 == 0; // half of them, as each frame links programs of its own
+  if (changes)
+  {
+    scene.Change();
+  }
+  const std::string later = changes ? FaultOfFrame(scene, 1, ofVTK) : "";
   const std::string said = FaultOfMessages(output.GetTexts(), firstOfFrames, last, ofVTK);
   const std::string first = !said.empty() ? said : !fault.empty() ? fault : later;
   return first.substr(0, 400);
