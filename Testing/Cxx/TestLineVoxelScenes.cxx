@@ -300,36 +300,41 @@ void CheckOcclusion(Check& check)
   check.That(messages.Texts.empty(), messages.Texts.empty() ? "" : "said: " + messages.Texts[0]);
 }
 
-// Lines whose bricks VTK loads in blocks: the same picture, also where they hide light from each other.
+double MeanDifference(const std::vector<float>& a, const std::vector<float>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += std::abs(a[i] - b[i]);
+  }
+  return 255.0 * sum / static_cast<double>(a.size());
+}
+
+// Lines whose bricks VTK loads in blocks: the same picture, also where they hide light from each other. The step is a
+// voxel's, as that of the rays.
 void CheckPartitions(Check& check)
 {
   const auto voxels = Spirals(16, 16, 16);
-  const auto draw = [&](bool isInBlocks, bool isOccluded, bool isAdjusted) {
+  const auto draw = [&](bool isInBlocks, bool isOccluded, bool isShadowed) {
     LineTermScene scene(voxels, 60);
     vtkNew<vtkOpticsVolumeProperty> optics;
     optics->SetOcclusion(isOccluded);
+    optics->SetShadows(isShadowed);
     scene.Volume->SetProperty(optics);
-    scene.Mapper->SetLockSampleDistanceToInputSpacing(isAdjusted);
+    scene.Mapper->LockSampleDistanceToInputSpacingOn();
     scene.Mapper->SetPartitions(isInBlocks ? 2 : 1, 1, isInBlocks ? 2 : 1);
     return scene.RenderFloat();
   };
-  const auto mean = [](const std::vector<float>& a, const std::vector<float>& b) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-    {
-      sum += std::abs(a[i] - b[i]);
-    }
-    return 255.0 * sum / static_cast<double>(a.size());
-  };
-  for (const bool isAdjusted : { false, true })
+  const auto plain = draw(true, false, false);
+  const double ofVTK = MeanDifference(plain, draw(false, false, false));
+  check.AtMost("blocks", ofVTK, 0.5); // bounds as in TestSweepBlocks
+  for (const bool isOccluded : { true, false })
   {
-    const auto plain = draw(true, false, isAdjusted), occluded = draw(true, true, isAdjusted);
-    const double ofVTK = mean(plain, draw(false, false, isAdjusted));
-    // as in TestSweepBlocks
-    check.AtMost("occluded in blocks", mean(occluded, draw(false, true, isAdjusted)), ofVTK + 0.5);
-    check.AtMost("in blocks", ofVTK, 0.5);
-    check.AtLeast(
-      "occlusion in blocks", mean(occluded, plain), 1.0); // in both kinds of picture, not by chance
+    const std::string name = isOccluded ? "occlusion" : "shadows";
+    const auto hidden = draw(true, isOccluded, !isOccluded);
+    const double off = MeanDifference(hidden, draw(false, isOccluded, !isOccluded));
+    check.AtMost(name + " in blocks", off, ofVTK + 0.5);
+    check.AtLeast(name + ", effect", MeanDifference(hidden, plain), 1.0); // 1.6 and 1.5
   }
 }
 
