@@ -69,10 +69,10 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
   }
   // before the first frame it is not known whether there are any
   const bool mayHaveBlocks = this->AssembledInputs.count(0) == 0 || this->HasPartitions();
-  if (!hasLines && mayHaveBlocks && this->Terms->Sweeps(scene, active))
+  if (mayHaveBlocks && this->Terms->Sweeps(scene, active))
   {
-    this->Terms->FillBlocks(
-      scene, active, [this, renderer, volume]() { this->Superclass::GPURender(renderer, volume); });
+    const auto draw = [this, renderer, volume]() { this->Superclass::GPURender(renderer, volume); };
+    this->Terms->FillBlocks(scene, active, [&]() { this->DrawBySteps(renderer, volume, hasLines, draw); });
   }
   this->Terms->Pass->Attach(scene, active);
   this->Draw(renderer, volume, hasLines);
@@ -80,15 +80,22 @@ void vtkOpticsVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 }
 
 //------------------------------------------------------------------------------
+void vtkOpticsVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume, bool hasLines)
+{
+  this->DrawBySteps(renderer, volume, hasLines, [&]() { this->DrawInParts(renderer, volume); });
+}
+
+//------------------------------------------------------------------------------
 // VTK would take its sample distance from the bricks of lines, which are the image's cells; and it would adjust it
 // again for each part of a frame that can be given up.
-void vtkOpticsVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume, bool hasLines)
+void vtkOpticsVolumeMapper::DrawBySteps(
+  vtkRenderer* renderer, vtkVolume* volume, bool hasLines, const std::function<void()>& draw)
 {
   const bool isAdjustedOnce = CanFrameBeAborted(renderer->GetRenderWindow()) &&
     this->AutoAdjustSampleDistances && vtkImageData::SafeDownCast(this->GetDataSetInput());
   if (!hasLines && !isAdjustedOnce)
   {
-    this->DrawInParts(renderer, volume);
+    draw();
     return;
   }
   this->ComputeReductionFactor(volume->GetAllocatedRenderTime());
@@ -100,7 +107,7 @@ void vtkOpticsVolumeMapper::Draw(vtkRenderer* renderer, vtkVolume* volume, bool 
   this->AutoAdjustSampleDistances = 0;
   this->LockSampleDistanceToInputSpacing = 0;
   this->SampleDistance = distance;
-  this->DrawInParts(renderer, volume);
+  draw();
   this->AutoAdjustSampleDistances = isAdjusted;
   this->LockSampleDistanceToInputSpacing = isLocked;
   this->SampleDistance = own;

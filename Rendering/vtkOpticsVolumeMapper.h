@@ -32,9 +32,10 @@
 #include "vtkSmartPointer.h"       // for the lines' opacity function
 #include "vtkVolumeOpticsModule.h" // for export macro
 
-#include <map>    // for the lines' scales
-#include <memory> // for the implementation
-#include <string> // for the active terms
+#include <functional> // for what is drawn
+#include <map>        // for the lines' scales
+#include <memory>     // for the implementation
+#include <string>     // for the active terms
 
 class vtkAlgorithmOutput;
 class vtkAmbientCovarianceFilter;
@@ -475,6 +476,8 @@ private:
   void UpdateCoarseness(vtkRenderer* renderer, vtkVolume* volume);
   void UpdateSampleDistance();
   void Draw(vtkRenderer* renderer, vtkVolume* volume, bool hasLines);
+  void DrawBySteps(
+    vtkRenderer* renderer, vtkVolume* volume, bool hasLines, const std::function<void()>& draw);
   void DrawInParts(vtkRenderer* renderer, vtkVolume* volume);
   void GetVoxelSpacing(double spacing[3]);
   std::string FindMissing();

@@ -80,6 +80,20 @@ inline void UseShorts(TestScene& scene)
   scene.Color->AddRGBPoint(1000.0, 0.9, 0.7, 0.5);
 }
 
+// Spirals as anisotropic voxels, on as many as the other data.
+inline void UseLines(TestScene& scene)
+{
+  static const vtkSmartPointer<vtkImageData> voxels = Spirals(12, 12, 12, 2, false, 300, 0.03);
+  scene.Mapper->SetInputData(voxels);
+}
+
+// Both functions stretched over the data's range.
+inline void UseNativeRanges(TestScene& scene)
+{
+  scene.Mapper->SetColorRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
+  scene.Mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
+}
+
 inline void UseData(TestScene& scene)
 {
   scene.Property->SetIntegrationSpaceToData();
@@ -149,6 +163,32 @@ inline void CropTo(TestScene& scene, int flags)
   scene.Mapper->SetCroppingRegionFlags(flags);
 }
 
+// A corner between three planes.
+inline void ClipByThree(TestScene& scene)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(-0.2, -0.2, -0.2);
+    plane->SetNormal(axis == 0 ? 1.0 : 0.1, axis == 1 ? 1.0 : 0.2, axis == 2 ? 1.0 : 0.0);
+    scene.Mapper->AddClippingPlane(plane);
+  }
+}
+
+// The inner part of the 12 points, of a larger whole.
+inline void DrawPiece(TestScene& scene)
+{
+  scene.Optics->SetDrawnExtent(2, 8, 0, 11, 1, 11);
+  scene.Optics->SetWholeExtent(-4, 11, 0, 11, 0, 20);
+}
+
+inline void Mirror(TestScene& scene)
+{
+  vtkNew<vtkTransform> transform;
+  transform->Scale(-1.0, 1.0, 1.0);
+  scene.Volume->SetUserTransform(transform);
+}
+
 inline void Turn(TestScene& scene)
 {
   vtkNew<vtkTransform> transform;
@@ -171,10 +211,12 @@ const std::vector<Term> Terms = {
       { "cell data", UseCellData, false },
       { "luminance and opacity", [](TestScene& s) { UseDependentComponents(s, 2); }, false },
       { "colour and opacity", [](TestScene& s) { UseDependentComponents(s, 4); }, false },
-      { "blanked points", Blank, false } } },
+      { "blanked points", Blank, false }, { "lines", UseLines, false } } },
+  { "ranges of functions", { { "of scalars", [](TestScene&) {} }, { "their own", UseNativeRanges, false } } },
   { "steps",
     { { "short", [](TestScene&) {} }, { "long", [](TestScene& s) { s.Mapper->SetSampleDistance(0.13F); } },
       { "automatic", [](TestScene& s) { s.Mapper->SetAutoAdjustSampleDistances(1); }, false },
+      { "locked", [](TestScene& s) { s.Mapper->SetLockSampleDistanceToInputSpacing(1); }, false },
       { "Draft", [](TestScene& s) { UsePreset(s, vtkOpticsVolumeMapper::Draft); }, false },
       { "Balanced", [](TestScene& s) { UsePreset(s, vtkOpticsVolumeMapper::Balanced); }, false } } },
   { "reflectance",
@@ -268,6 +310,18 @@ const std::vector<Term> Terms = {
       { "occlusion by 16", [](TestScene& s) { UseOcclusion(s, 0, 16, 32); }, false },
       { "occlusion by a disk", [](TestScene& s) { UseOcclusion(s, 1, 8, 16); }, false },
       { "occlusion by a disk's angle", [](TestScene& s) { UseOcclusion(s, 2, 8, 32); }, false } } },
+  { "gathering",
+    { { "4 samples", [](TestScene&) {} },
+      { "none", [](TestScene& s) { s.Optics->SetVisibilityGatherSamples(0); }, false },
+      { "8 samples", [](TestScene& s) { s.Optics->SetVisibilityGatherSamples(8); }, false } } },
+  { "disk",
+    { { "defaults", [](TestScene&) {} },
+      { "small, approximated",
+        [](TestScene& s) {
+          s.Optics->SetVisibilityDiskSize(1);
+          s.Optics->VisibilityTrueDistancesOff();
+        },
+        false } } },
   { "shadows",
     { { "off", [](TestScene&) {} }, { "hard", [](TestScene& s) { s.Property->ShadowsOn(); }, false },
       { "soft",
@@ -291,16 +345,28 @@ const std::vector<Term> Terms = {
     { { "off", [](TestScene&) {} },
       { "to a box", [](TestScene& s) { CropTo(s, VTK_CROP_SUBVOLUME); }, false },
       { "to a cross", [](TestScene& s) { CropTo(s, VTK_CROP_INVERTED_CROSS); }, false } } },
-  { "clipping", { { "off", [](TestScene&) {} }, { "by a plane", RowNamed("clipping planes"), false } } },
+  { "clipping",
+    { { "off", [](TestScene&) {} }, { "by a plane", RowNamed("clipping planes"), false },
+      { "by three planes", ClipByThree, false } } },
+  { "clipped voxels",
+    { { "as they are", [](TestScene&) {} },
+      { "of one value",
+        [](TestScene& s) {
+          s.Property->UseClippedVoxelIntensityOn();
+          s.Property->SetClippedVoxelIntensity(0.3 * ScaleOf(s));
+        },
+        false } } },
   { "mask",
     { { "none", [](TestScene&) {} }, { "binary", RowNamed("binary mask"), false },
       { "labels", RowNamed("label map"), false } } },
   { "camera",
     { { "perspective", [](TestScene&) {} }, { "parallel", RowNamed("parallel projection") },
-      { "inside", RowNamed("camera inside") } } },
+      { "inside", RowNamed("camera inside") }, { "stereo", RowNamed("stereo"), false } } },
   { "matrix",
-    { { "none", [](TestScene&) {} }, { "turned", Turn }, { "uneven", RowNamed("user matrix"), false } } },
+    { { "none", [](TestScene&) {} }, { "turned", Turn }, { "uneven", RowNamed("user matrix"), false },
+      { "mirrored", Mirror, false } } },
   { "blocks", { { "one", [](TestScene&) {} }, { "four", RowNamed("partitions"), false } } },
+  { "piece", { { "the whole", [](TestScene&) {} }, { "a part", DrawPiece, false } } },
   { "values",
     { { "linear", [](TestScene&) {} },
       { "nearest", [](TestScene& s) { s.Property->SetInterpolationTypeToNearest(); }, false } } },
@@ -314,10 +380,11 @@ const std::vector<Term> Terms = {
         } } } },
   { "geometry",
     { { "none", [](TestScene&) {} }, { "opaque", RowNamed("opaque geometry"), false },
-      { "peeled", PeelDepth, false } } },
+      { "peeled", PeelDepth, false },
+      { "translucent", [](TestScene& s) { AddCone(s)->GetProperty()->SetOpacity(0.4); }, false } } },
   { "drawing",
     { { "plain", [](TestScene&) {} }, { "image sample distance", RowNamed("image sample distance"), false },
-      { "depth pass", RowNamed("depth pass"), false },
+      { "depth pass", RowNamed("depth pass"), false }, { "level of detail", UseLevelOfDetail, false },
       { "colour window", RowNamed("final colour window"), false },
       { "shader property", RowNamed("shader property"), false } } },
 };

@@ -56,10 +56,20 @@ const std::vector<Exclusion> Exclusions = {
   { "several samples", {}, "specular", {} },
   { "opacity", { "2D" }, "mask",
     { "labels" } }, // VTK has no table of labels then, and draws what it finds instead
-  { "blocks", {}, "shadows", {} },
-  { "blocks", {}, "ambient light",
-    { "occlusion", "occlusion by 4", "occlusion by 16", "occlusion by a disk",
-      "occlusion by a disk's angle" } },
+  { "data", { "lines" }, "reflectance", { "None", "BlinnPhong", "Ward", "Lafortune" } },
+  { "data", { "lines" }, "integral", {} },
+  { "data", { "lines" }, "silhouette", {} },
+  { "data", { "lines" }, "transmitted light", {} },
+  { "data", { "lines" }, "isosurfaces", {} },
+  { "data", { "lines" }, "lighting function", {} },
+  { "data", { "lines" }, "several samples", {} },
+  { "data", { "lines" }, "lights", {} },
+  { "data", { "lines" }, "mask", {} },
+  { "data", { "lines" }, "matrix", { "uneven" } },
+  { "data", { "cell data", "lines" }, "piece", {} }, // of other extents
+  { "blocks", {}, "piece", {} },
+  { "gathering", {}, "ambient light", { "white", "coloured" } },
+  { "disk", {}, "ambient light", { "white", "coloured", "occlusion", "occlusion by 4", "occlusion by 16" } },
 };
 
 inline bool Names(const std::vector<const char*>& names, const Term& term, int choice)

@@ -210,6 +210,7 @@ private:
     mask->CopyStructure(this->Image);
     const bool hasCells = this->Image->GetPointData()->GetNumberOfArrays() == 0;
     vtkNew<vtkUnsignedCharArray> values;
+    values->SetName("scalars"); // VTK takes the mask's array as it takes the volume's
     values->SetNumberOfTuples(hasCells ? this->Image->GetNumberOfCells() : this->Image->GetNumberOfPoints());
     for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
     {

@@ -57,9 +57,9 @@ private:
     this->Mapper->SetSampleDistance(
       static_cast<float>(this->Data.GetScale() * this->Random.PowerOfTen(-1.0, 1.0)));
     this->Mapper->SetUseJittering(this->Random.Is(0.3));
-    // VTK's own pictures of less than a pixel end in a crash
+    // VTK's own pictures of less than two pixels fail, or end in a crash
     const int* size = this->Window->GetSize();
-    const double most = std::min({ size[0], size[1], 4 });
+    const double most = std::clamp(std::min(size[0], size[1]) / 2, 1, 4);
     this->Mapper->SetImageSampleDistance(
       this->Random.Is(0.9) ? 1.0F : static_cast<float>(this->Random.Between(0.5, most)));
     this->Optics->SetSkipEmptySpace(this->Random.Is(0.5));
@@ -75,6 +75,8 @@ private:
     vtkAmbientCovarianceFilter* filter = this->Optics->GetAmbientCovarianceFilter();
     filter->SetStorage(this->Random.Choice(3));
     filter->SetRadius(this->Random.Setting(1.0, 8.0));
+    filter->SetScalarTolerance(this->Random.Setting(0.0, 1.0));
+    filter->SetNumberOfSamples(this->Random.Is(0.1) ? 2 : 3 + this->Random.Number(100));
     filter->SetSamplingPattern(this->Random.Choice(4));
     filter->SetSampleInterpolation(this->Random.Choice(2));
     filter->SetNoiseCorrection(this->Random.Is(0.5));
@@ -165,7 +167,9 @@ private:
     this->Mapper->SetUseDepthPass(this->Random.Is(0.05));
     this->Mapper->GetDepthPassContourValues()->SetValue(0, this->Data.Scalar());
     this->Mapper->SetRenderToImage(this->Random.Is(0.03));
-    if (this->Random.Is(0.08))
+    const bool isAlone =
+      this->Mapper->GetNumberOfInputConnections(1) == 0; // VTK has no blocks of two volumes
+    if (this->Random.Is(0.08) && isAlone)
     {
       this->Mapper->SetPartitions(static_cast<unsigned short>(1 + this->Random.Number(3)),
         static_cast<unsigned short>(1 + this->Random.Number(3)),

@@ -190,6 +190,7 @@ private:
     vtkNew<vtkVolume> second;
     second->SetProperty(this->Property);
     second->SetPosition(0.3 * this->Size(), 0.0, 0.2 * this->Size());
+    vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(this->Mapper)->SetPartitions(1, 1, 1);
     this->Mapper->SetInputConnection(1, this->Mapper->GetInputConnection(0, 0));
     vtkNew<vtkMultiVolume> both;
     both->SetMapper(this->Mapper);

@@ -41,6 +41,14 @@ public:
   }
 
 private:
+  // Of a range of scalars; sometimes no finite number.
+  double End()
+  {
+    const double odd[] = { std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity(),
+      1.0e300 };
+    return this->Random.Is(0.03) ? this->Random.Of(odd) : this->Data.Scalar();
+  }
+
   // One, two, some or hundreds of points.
   int CountOfPoints()
   {
@@ -162,6 +170,7 @@ private:
     {
       this->Property->SetGlossiness(model, this->Random.Setting(1.0e-4, model == P::Ward ? 1.0 : 1.0e5));
     }
+    this->Property->SetGlossiness(this->Random.Choice(P::NumberOfReflectanceModels), 0.5); // some have none
     this->Property->SetAnisotropyScale(P::Ward, this->Random.Setting(0.0, 1.0e4));
     this->Property->SetAnisotropyScale(P::Lafortune, this->Random.Setting(0.0, 1.0e4));
     this->Property->SetSpecularFromExtinction(this->Random.Is(0.7));
@@ -180,10 +189,10 @@ private:
     const int surfaces[] = { 0, 0, 0, 0, 1, 1, 3, 3, 100, 1025 };
     for (int i = this->Random.Of(surfaces); i > 0; --i)
     {
-      const double opacity = this->Random.Setting(0.0, 1.0);
-      this->Random.Is(0.3) ? this->Property->AddIsosurface(this->Data.Scalar(), opacity)
-                           : this->Property->AddIsosurface(
-                               this->Data.Scalar(), 0.9, 0.2, this->Random.Setting(0.0, 1.0), opacity);
+      const double value = this->End(), opacity = this->Random.Setting(0.0, 1.0);
+      this->Random.Is(0.3)
+        ? this->Property->AddIsosurface(value, opacity)
+        : this->Property->AddIsosurface(value, 0.9, 0.2, this->Random.Setting(0.0, 1.0), opacity);
     }
   }
 
@@ -214,8 +223,8 @@ private:
     auto function = vtkSmartPointer<vtkLightingTransferFunction>::New();
     for (int i = this->Random.Number(5); i > 0; --i)
     {
-      const double low[2] = { this->Data.Scalar(), this->Data.Scalar() };
-      const double high[2] = { this->Data.Scalar(), this->Data.Scalar() };
+      const double low[2] = { this->End(), this->Data.Scalar() };
+      const double high[2] = { this->Data.Scalar(), this->End() };
       const int boundary = function->AddBoundary(low, high, this->Random.Setting(0.0, 1.0),
         this->Random.Setting(0.0, 1.0), this->Random.Between(0.0, 1.0));
       function->SetSoftness(boundary, this->Data.GetWidth() * this->Random.Setting(0.0, 1.0));
@@ -228,7 +237,7 @@ private:
     auto rules = vtkSmartPointer<vtkMultiSampleClassification>::New();
     for (int i = this->Random.Number(4); i > 0; --i)
     {
-      const double low[2] = { this->Data.Scalar(), this->Data.Scalar() };
+      const double low[2] = { this->End(), this->Data.Scalar() };
       const double high[2] = { this->Data.Scalar(), std::numeric_limits<double>::infinity() };
       const int rule = rules->AddRule(low, high, this->Random.Is(0.5) ? low : high, 0.9, 0.2,
         this->Random.Setting(0.0, 1.0), this->Random.Setting(0.0, 1.0));

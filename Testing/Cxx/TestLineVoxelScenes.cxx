@@ -300,6 +300,44 @@ void CheckOcclusion(Check& check)
   check.That(messages.Texts.empty(), messages.Texts.empty() ? "" : "said: " + messages.Texts[0]);
 }
 
+double MeanDifference(const std::vector<float>& a, const std::vector<float>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += std::abs(a[i] - b[i]);
+  }
+  return 255.0 * sum / static_cast<double>(a.size());
+}
+
+// Lines whose bricks VTK loads in blocks: the same picture, also where they hide light from each other. The step is a
+// voxel's, as that of the rays.
+void CheckPartitions(Check& check)
+{
+  const auto voxels = Spirals(16, 16, 16);
+  const auto draw = [&](bool isInBlocks, bool isOccluded, bool isShadowed) {
+    LineTermScene scene(voxels, 60);
+    vtkNew<vtkOpticsVolumeProperty> optics;
+    optics->SetOcclusion(isOccluded);
+    optics->SetShadows(isShadowed);
+    scene.Volume->SetProperty(optics);
+    scene.Mapper->LockSampleDistanceToInputSpacingOn();
+    scene.Mapper->SetPartitions(isInBlocks ? 2 : 1, 1, isInBlocks ? 2 : 1);
+    return scene.RenderFloat();
+  };
+  const auto plain = draw(true, false, false);
+  const double ofVTK = MeanDifference(plain, draw(false, false, false));
+  check.AtMost("blocks", ofVTK, 0.5); // bounds as in TestSweepBlocks
+  for (const bool isOccluded : { true, false })
+  {
+    const std::string name = isOccluded ? "occlusion" : "shadows";
+    const auto hidden = draw(true, isOccluded, !isOccluded);
+    const double off = MeanDifference(hidden, draw(false, isOccluded, !isOccluded));
+    check.AtMost(name + " in blocks", off, ofVTK + 0.5);
+    check.AtLeast(name + ", effect", MeanDifference(hidden, plain), 1.0); // 1.6 and 1.5
+  }
+}
+
 // The step of an automatic or locked sample distance is a voxel's, not a brick's.
 void CheckSampleDistance(Check& check)
 {
@@ -331,6 +369,7 @@ int TestLineVoxelScenes(int, char*[])
   CheckDepthPeeling(check);
   CheckExtremes(check);
   CheckOcclusion(check);
+  CheckPartitions(check);
   CheckSampleDistance(check);
   return check.ExitCode();
 }
