@@ -122,6 +122,7 @@ set(rendering_sources
   SceneNeeds
   ShadowAtlas
   ShadowTerm
+  SkippingCost
   StandaloneShaders
   SweepGrid
   SweepProgram
