@@ -125,6 +125,7 @@ set(rendering_sources
   SceneNeeds
   ShadowAtlas
   ShadowTerm
+  SkippingCost
   StandaloneShaders
   SweepGrid
   SweepProgram

@@ -4,6 +4,7 @@
 #include "EmptySpaceTerm.h"
 
 #include "SceneNeeds.h"
+#include "SkippingCost.h"
 #include "VisibleInScene.h"
 #include "vtkOpticsVolumeMapper.h"
 
@@ -20,24 +21,25 @@
 
 namespace
 {
-// Time of a sample, as multiples of that of a sample without skipping: where there is something to see, in an empty
-// cell beside such ones, and in one that is empty with all around it. Fits to BenchmarkEmptySpace --holes.
-struct Cost
-{
-  double Seen, Shallow, Deep;
-};
-const Cost PlainCost = { 1.7, 0.85, 0.1 };
-const Cost GradientCost = { 1.25, 0.5,
-  0.2 }; // a sample that is lit, or whose gradient is needed, takes longer itself
+// Fits to BenchmarkEmptySpace --holes. A sample that is lit, or whose gradient is needed, takes longer itself.
+const SkippingTimes PlainTimes = { 1.47, 0.67, 4.8, 0.18 };
+const SkippingTimes GradientTimes = { 1.2, 0.27, 2.4, 0.18 };
+const double WorthwhileTime = 0.9; // the estimate is good to a tenth
 
-// Where less is empty, looking for it costs more than it saves.
-bool IsWorthwhile(const OpticsScene& scene, vtkMacrocellGrid* grid)
+// How far opacities of the table are of; not where the table only tells what is seen.
+double VoxelsPerUnit(const OpticsScene& scene)
 {
-  const bool needsGradient = scene.Volume->GetProperty()->GetShade() || HasGradientOpacity(scene) ||
-    Is2D(scene) || ReplacesIntegral(scene);
-  const Cost& cost = needsGradient ? GradientCost : PlainCost;
-  const double empty = grid->GetEmptyFraction(), deep = grid->GetDeepEmptyFraction();
-  return (1.0 - empty) * cost.Seen + (empty - deep) * cost.Shallow + deep * cost.Deep < 1.0;
+  const double* spacing = vtkImageData::SafeDownCast(scene.Mapper->GetDataSetInput())->GetSpacing();
+  const double voxel = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  return ReplacesIntegral(scene) || Is2D(scene)
+    ? 0.0
+    : scene.Volume->GetProperty()->GetScalarOpacityUnitDistance() / voxel;
+}
+
+bool NeedsGradient(const OpticsScene& scene)
+{
+  return scene.Volume->GetProperty()->GetShade() || HasGradientOpacity(scene) || Is2D(scene) ||
+    ReplacesIntegral(scene);
 }
 
 void FindDimensions(const OpticsScene& scene, int dimensions[3])
@@ -106,7 +108,7 @@ bool EmptySpaceTerm::Prepare(const OpticsScene& scene)
     return false;
   }
   this->Classify(scene);
-  return IsWorthwhile(scene, this->Grid);
+  return this->IsWorthwhile(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -123,6 +125,20 @@ void EmptySpaceTerm::Classify(const OpticsScene& scene)
     this->VisibleWhereConstant = visibleWhereConstant;
     this->RangesTime = this->Grid->GetUpdateTime();
   }
+}
+
+//------------------------------------------------------------------------------
+// Where less is empty, looking for it costs more than it saves.
+bool EmptySpaceTerm::IsWorthwhile(const OpticsScene& scene)
+{
+  const EstimateOf estimateOf = { this->Grid->GetClassifyTime(), NeedsGradient(scene), VoxelsPerUnit(scene) };
+  if (estimateOf != this->LastEstimateOf)
+  {
+    const SkippingTimes& times = NeedsGradient(scene) ? GradientTimes : PlainTimes;
+    this->LastEstimate = EstimateSkipping(this->Grid, this->Visible, VoxelsPerUnit(scene), times);
+    this->LastEstimateOf = estimateOf;
+  }
+  return this->LastEstimate < WorthwhileTime;
 }
 
 //------------------------------------------------------------------------------

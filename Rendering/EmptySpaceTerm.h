@@ -14,6 +14,7 @@
 #include "vtkMacrocellGrid.h"
 #include "vtkNew.h"
 
+#include <tuple>
 #include <vector>
 
 class EmptySpaceTerm : public OpticsTerm
@@ -30,6 +31,7 @@ public:
 
 private:
   void Classify(const OpticsScene& scene);
+  bool IsWorthwhile(const OpticsScene& scene);
   void UpdateTexture(const OpticsScene& scene);
   void Upload(const OpticsScene& scene, const int size[3], std::vector<unsigned char> distances);
 
@@ -37,6 +39,10 @@ private:
   VisibleScalars Visible;
   VisibleScalars VisibleWhereConstant;
   vtkMTimeType RangesTime = 0; // of the grid that was classified
+  using EstimateOf =
+    std::tuple<vtkMTimeType, bool, double>; // classification, gradients, voxels per unit distance
+  EstimateOf LastEstimateOf;
+  double LastEstimate = 1.0;
   TermTexture Texture;
   vtkMTimeType UploadedTime = 0;
 };

@@ -16,10 +16,12 @@ const double LookUpSlack = 1.0 / 128.0;
 //------------------------------------------------------------------------------
 VisibleScalars::VisibleScalars(const std::vector<float>& table, const double coordinateRange[2], Ends ends)
   : Below(table.size() + 1)
+  , OpacitiesBelow(table.size() + 1)
 {
   for (std::size_t i = 0; i < table.size(); ++i)
   {
     this->Below[i + 1] = this->Below[i] + (table[i] <= 0.0F ? 0 : 1);
+    this->OpacitiesBelow[i + 1] = this->OpacitiesBelow[i] + std::clamp<double>(table[i], 0.0, 1.0);
   }
   const double width = coordinateRange[1] - coordinateRange[0];
   const double entries = static_cast<double>(table.size());
@@ -43,6 +45,14 @@ bool VisibleScalars::HasAny(double low, double high) const
   const int first = this->Clamp((low - this->Origin) * this->Scale - this->Slack);
   const int last = this->Clamp((high - this->Origin) * this->Scale + this->Slack + 1.0);
   return this->Below[last + 1] > this->Below[first];
+}
+
+//------------------------------------------------------------------------------
+double VisibleScalars::MeanOpacity(double low, double high) const
+{
+  const int first = this->Clamp((low - this->Origin) * this->Scale);
+  const int last = this->Clamp((high - this->Origin) * this->Scale);
+  return (this->OpacitiesBelow[last + 1] - this->OpacitiesBelow[first]) / (last + 1 - first);
 }
 
 //------------------------------------------------------------------------------

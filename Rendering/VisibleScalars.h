@@ -29,6 +29,9 @@ public:
   /** Whether any scalar from low to high can be seen; low <= high. */
   bool HasAny(double low, double high) const;
 
+  /** The mean opacity of the entries that scalars from low to high look up; low <= high. */
+  double MeanOpacity(double low, double high) const;
+
   /**
    * Whether a scalar that is no number can be seen. Where a look-up by such a coordinate ends is left to the
    * driver: at one of the table's ends, or in a NaN, which VTK does not draw.
@@ -41,8 +44,9 @@ public:
 private:
   int Clamp(double position) const;
 
-  std::vector<int> Below; // number of entries below this one that are not zero
-  double Origin = 0.0;    // scalar to position in the table, in entries
+  std::vector<int> Below;             // number of entries below this one that are not zero
+  std::vector<double> OpacitiesBelow; // their sum
+  double Origin = 0.0;                // scalar to position in the table, in entries
   double Scale = 0.0;
   double Slack = 0.0;
   bool ShowsNaN = false;

@@ -14,6 +14,8 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -80,36 +82,74 @@ void CompareModels(ContestScene scene, const Options& options)
   Compare(scene, "Ward", vtkOpticsVolumeProperty::Ward, options);
 }
 
-// Sees nothing below 0.5. Of the cells of `cell` voxels a share is empty: scattered, or those on one side.
-vtkSmartPointer<vtkImageData> Fog(double share, bool isScattered, int cell)
+using Cell = std::array<int, 3>;
+using IsHole = std::function<bool(const Cell&)>;
+
+// Sees nothing below 0.5. Holes of `edge` voxels: what a cell there sees, one voxel more on each side, is empty, too.
+vtkSmartPointer<vtkImageData> Fog(int edge, const IsHole& isHole)
 {
   vtkSmartPointer<vtkImageData> image = MarschnerLobb();
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const int edge = image->GetDimensions()[0], cells = edge / cell;
-  std::mt19937 random(1);
-  std::vector<bool> isHole(static_cast<std::size_t>(cells) * cells * cells);
-  for (std::size_t i = 0; i < isHole.size(); ++i)
-  {
-    isHole[i] = isScattered ? random() < share * 4294967296.0 : i < share * isHole.size();
-  }
-  // a cell sees one voxel more on each side
-  const auto holeOf = [&](int voxel) { return voxel / cell; };
+  const int size = image->GetDimensions()[0];
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    const int x = static_cast<int>(i % edge), y = static_cast<int>(i / edge % edge),
-              z = static_cast<int>(i / edge / edge);
     bool touchesHole = false;
-    for (int corner = 0; corner < 27; ++corner)
+    for (int corner = 0; corner < 27 && !touchesHole; ++corner)
     {
-      const int place[3] = { x + corner % 3 - 1, y + corner / 3 % 3 - 1, z + corner / 9 - 1 };
-      const int cx = std::clamp(holeOf(std::max(place[0], 0)), 0, cells - 1);
-      const int cy = std::clamp(holeOf(std::max(place[1], 0)), 0, cells - 1);
-      const int cz = std::clamp(holeOf(std::max(place[2], 0)), 0, cells - 1);
-      touchesHole = touchesHole || isHole[(static_cast<std::size_t>(cz) * cells + cy) * cells + cx];
+      const auto cellOf = [&](vtkIdType voxel, int offset) {
+        return std::clamp(static_cast<int>(voxel) + offset, 0, size - 1) / edge;
+      };
+      touchesHole = isHole({ cellOf(i % size, corner % 3 - 1), cellOf(i / size % size, corner / 3 % 3 - 1),
+        cellOf(i / size / size, corner / 9 - 1) });
     }
-    scalars->SetComponent(i, 0, touchesHole ? 0.0 : 1.0);
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, touchesHole ? 0.0 : 1.0);
   }
   return image;
+}
+
+struct Shape
+{
+  std::string Name;
+  IsHole Has;
+};
+
+// Of holes on a grid of `cells` on each axis.
+std::vector<Shape> Shapes(int cells)
+{
+  std::vector<Shape> shapes;
+  const auto index = [=](const Cell& cell) { return (cell[2] * cells + cell[1]) * cells + cell[0]; };
+  for (const double share : { 0.12, 0.27, 0.36, 0.5, 0.85 })
+  {
+    const std::string percent = std::to_string(static_cast<int>(100.0 * share)) + " % empty, ";
+    const double count = share * cells * cells * cells;
+    std::vector<bool> isHole(static_cast<std::size_t>(cells) * cells * cells);
+    std::mt19937 random(1);
+    std::generate(isHole.begin(), isHole.end(), [&]() { return random() < share * 4294967296.0; });
+    shapes.push_back({ percent + "scattered", [=](const Cell& cell) { return isHole[index(cell)]; } });
+    shapes.push_back({ percent + "on one side", [=](const Cell& cell) { return index(cell) < count; } });
+  }
+  shapes.push_back({ "slabs, every second one empty", [](const Cell& cell) { return cell[2] % 2 == 0; } });
+  shapes.push_back({ "slabs, every fourth one empty", [](const Cell& cell) { return cell[2] % 4 == 0; } });
+  shapes.push_back(
+    { "checkerboard", [](const Cell& cell) { return (cell[0] + cell[1] + cell[2]) % 2 == 0; } });
+  shapes.push_back({ "shells, every third one empty", [=](const Cell& cell) {
+                      const double x = cell[0] - 0.5 * cells, y = cell[1] - 0.5 * cells,
+                                   z = cell[2] - 0.5 * cells;
+                      return static_cast<int>(std::sqrt(x * x + y * y + z * z)) % 3 == 0;
+                    } });
+  return shapes;
+}
+
+void CompareHoles(const Options& options)
+{
+  for (const int edge : { 4, 8 })
+  {
+    for (const Shape& shape : Shapes(128 / edge))
+    {
+      const std::string name = "fog; holes of " + std::to_string(edge) + " voxels; " + shape.Name;
+      CompareModels(
+        { name, Fog(edge, shape.Has), { { 0.5, 0.0 }, { 0.9, 0.002 } }, true, options.Size }, options);
+    }
+  }
 }
 }
 
@@ -119,23 +159,16 @@ int main(int argc, char** argv)
   std::cout << "scene,shading,stock ms,off of stock,on of stock,on of off,terms,pictures\n";
   const vtkSmartPointer<vtkImageData> cranium =
     options.File.empty() ? nullptr : ReadContestImage(options.File);
-  for (const ContestScene& scene : ContestScenes(cranium, options.Size))
+  std::vector<ContestScene> scenes = ContestScenes(cranium, options.Size);
+  scenes.push_back({ "Marschner-Lobb, half of it solid", MarschnerLobb(), { { 0.5, 0.0 }, { 0.52, 0.9 } },
+    true, options.Size });
+  for (const ContestScene& scene : scenes)
   {
     if (!options.OnlyHoles)
     {
       CompareModels(scene, options);
     }
   }
-  for (const double share : { 0.27, 0.36, 0.5, 0.85 })
-  {
-    for (const bool isScattered : { true, false })
-    {
-      const std::string name = "fog, " + std::to_string(static_cast<int>(100.0 * share)) +
-        " % of the cells empty, " + (isScattered ? "scattered" : "on one side");
-      CompareModels(
-        { name, Fog(share, isScattered, options.Cell), { { 0.5, 0.0 }, { 0.9, 0.002 } }, true, options.Size },
-        options);
-    }
-  }
+  CompareHoles(options);
   return EXIT_SUCCESS;
 }
