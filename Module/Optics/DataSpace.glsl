@@ -18,9 +18,9 @@ const float LargestDepth = 1.0e4;
 // 1/|cosine| and the like end here: finite in float with any optical depth.
 const float SmallestCosine = 1.0e-30;
 
-// Of the product of two cosines: a light fades from one side of a surface to the other where one of them is near 0,
-// over half a degree about a surface that faces the viewer. Rounding of float is a thousandth of it.
-const float LightFade = 0.01;
+// A cosine, of a tenth of a degree: a light fades from one side of a surface to the other where the light or the viewer is so
+// near to the surface's plane. Rounding in float is a four-hundredth of it.
+const float LightFade = 0.002;
 
 // (1 - exp(-x))/x: opacity over optical depth, 1 at x = 0 and falling. x >= 0.
 float OpacityOverDepth(float x)
@@ -80,10 +80,13 @@ float ClampedSurfaceOpacity(float opacity, float cosine)
 
 // How much of a light is behind the surface, eq. 19: 0 on the viewer's side (it is reflected), in the surface and
 // without a normal, 1 on the other side (it is transmitted). The paper has a step; between the two a light fades
-// within LightFade of (L.n)(V.n), so that no sample's light hangs on a rounding. The normal's sign does not matter.
+// where L.n or V.n is within LightFade, so that no sample's light hangs on a rounding. The normal's sign does not matter.
 float ShareBehind(vec3 normal, vec3 toLight, vec3 toViewer)
 {
-  return clamp(-dot(normal, toLight) * dot(normal, toViewer) / LightFade, 0.0, 1.0);
+  float cosLight = dot(normal, toLight);
+  float cosViewer = dot(normal, toViewer);
+  float below = cosLight * cosViewer < 0.0 ? min(abs(cosLight), abs(cosViewer)) : 0.0;
+  return min(below / LightFade, 1.0);
 }
 
 // Transmitted light, eq. 19, before opacity and colour: x diffuse |L.n|, y specular max(0, -L.V)^exponent

@@ -127,7 +127,7 @@ void CheckTransmittedLight(Check& check)
     check.Near("behind", optics::ShareBehind(sign * normal, behind, viewer), 1.0, 0.0);
     check.Near("the viewer's side", optics::ShareBehind(sign * normal, { 0.0, -0.6, 0.8 }, viewer), 0.0, 0.0);
     check.Near("in the surface", optics::ShareBehind(sign * normal, { 1.0, 0.0, 0.0 }, viewer), 0.0, 0.0);
-    const double half = 0.5 * optics::LightFade / viewer.z;
+    const double half = 0.5 * optics::LightFade;
     check.Near(
       "a light that fades", optics::ShareBehind(sign * normal, { 1.0, 0.0, -half }, viewer), 0.5, Rounding);
   }

@@ -130,7 +130,7 @@ const std::vector<TestedFunction>& TestedFunctions()
         return double(glm::length(c.Normal) * glm::length(c.P));
       },
       4.0, 8.0 },
-    // two cosines over LightFade
+    // a cosine over LightFade
     { "ShareBehind", [](const FunctionCase&, const glm::dvec4&) { return 1.0 / optics::LightFade; }, 8.0,
       16.0 },
     { "TransmittedLight", [](const FunctionCase& c, const glm::dvec4&) { return 1.0 + c.P.x; }, 4.0, 16.0 },

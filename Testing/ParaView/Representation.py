@@ -140,4 +140,27 @@ given.Ambient, given.Diffuse, given.Specular = 0.2, 0.6, 0.3
 given.ReflectanceModel = "Ward"
 check_equal(own, take_picture(view, "frames-given"), "frames of the filters", 1)
 
+# Lines, as voxels: what the panel and the filter have for them.
+given.SetRepresentationType("Volume")
+simple.Hide(covariance, view)
+lines = simple.VortexSpirals(NumberOfSegments=20000, SegmentsPerLine=200)
+voxels = simple.AnisotropicLineVoxels(Input=lines, SampleDimensions=[32, 32, 32], Radius=0.01)
+shown = simple.Show(voxels, view)
+shown.SetRepresentationType("Volume Optics")
+simple.ColorBy(shown, ("CELLS", "BrickIndex"))
+view.CameraPosition = [0.0, -4.0, 0.0]
+plain = take_picture(view, "lines")
+check(plain.max() > 60, "lines are not seen")
+for key, value in dict(LineRadiusScale=0.4, LineOpacityScale=0.3, Occlusion=1).items():
+    before = Checks.value_of(shown.GetProperty(key))
+    setattr(shown, key, value)
+    check_differs(plain, take_picture(view, "lines-" + key), "lines, " + key)
+    setattr(shown, key, before)
+check_equal(plain, take_picture(view, "lines-again"), "lines, after all settings")
+voxels.LightDirection = [0.0, 1.0, 0.0]
+lit = take_picture(view, "lines-lit").mean()
+view.CameraPosition = [0.0, 4.0, 0.0]
+behind = take_picture(view, "lines-behind").mean()
+check(lit > 1.2 * behind, f"lit lines are not brighter than from behind: {lit}, {behind}")
+
 finish()

@@ -3,6 +3,8 @@
 
 #include "vtkLitLineVoxelizer.h"
 
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkObjectFactory.h"
 #include "vtkProperty.h"
 
@@ -67,6 +69,23 @@ void vtkLitLineVoxelizer::SetColor(double red, double green, double blue)
 {
   this->Material->SetColor(red, green, blue);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkLitLineVoxelizer::SetLightDirection(double x, double y, double z)
+{
+  if (x == 0.0 && y == 0.0 && z == 0.0)
+  {
+    this->SetLights(nullptr);
+    return;
+  }
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(-x, -y, -z);
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  vtkNew<vtkLightCollection> lights;
+  lights->AddItem(light);
+  this->SetLights(lights);
 }
 
 //------------------------------------------------------------------------------

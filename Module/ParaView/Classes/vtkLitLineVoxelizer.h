@@ -33,6 +33,12 @@ public:
   void SetColor(double red, double green, double blue);
   ///@}
 
+  /**
+   * The way that light travels, in the coordinates of the lines, of any length: one white light, fixed in the world. Default
+   * (0, 0, 0): a headlight.
+   */
+  void SetLightDirection(double x, double y, double z);
+
   ///@{
   /**
    * As SetRadiusArray() and the others; "None" is none.
