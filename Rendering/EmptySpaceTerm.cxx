@@ -147,10 +147,19 @@ bool EmptySpaceTerm::IsWorthwhile(const OpticsScene& scene)
 void EmptySpaceTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
   const bool isIntegral = features.Has(OpticsFeature::Integral);
-  if (isIntegral == ReplacesIntegral(scene))
+  if (isIntegral != ReplacesIntegral(scene))
   {
-    features.Add(OpticsFeature::EmptySpace);
-    features.Add(isIntegral ? OpticsFeature::EmptySpaceOfSegments : OpticsFeature::EmptySpaceOfSamples);
+    return;
+  }
+  features.Add(OpticsFeature::EmptySpace);
+  if (isIntegral)
+  {
+    features.Add(OpticsFeature::EmptySpaceOfSegments);
+  }
+  else
+  {
+    features.Add(OpticsFeature::EmptySpaceOfSamples);
+    features.Add(OpticsFeature::RayEnd);
   }
 }
 

@@ -101,6 +101,7 @@ void LineVoxelTerm::PrepareBlock(const OpticsScene& scene)
 void LineVoxelTerm::AddFeatures(const OpticsScene& scene, OpticsFeatures& features)
 {
   features.Add(OpticsFeature::Lines);
+  features.Add(OpticsFeature::RayEnd);
   features.Add(this->HasBlock ? OpticsFeature::LineBlock : OpticsFeature::LineBlockNone);
   features.Add(HasAmbientLight(scene) ? OpticsFeature::LineAmbient : OpticsFeature::LineAmbientNone);
   features.Add(OpticsFeature::OpacityFormulas);

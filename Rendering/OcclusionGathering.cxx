@@ -79,6 +79,7 @@ void AddGatheringFeatures(const OpticsScene& scene, OpticsFeatures& features)
   if (isOurs && scene.Scalars->GetNumberOfComponents() == 1 && IsSeenByScalars(scene))
   {
     features.Add(OpticsFeature::SeenSamples);
+    features.Add(OpticsFeature::RayEnd);
   }
 }
 

@@ -102,6 +102,7 @@
 #include "ScalarPairExtrapolated.h"
 #include "ScalarPairFetched.h"
 #include "ScatteringPhase.h"
+#include "RayEnd.h"
 #include "SeenSamples.h"
 #include "SegmentInData.h"
 #include "SegmentInSpace.h"
@@ -289,6 +290,7 @@ const Row Table[] = {
   { F::Integral, &ShadingImpl, IntegralImpl },
   { F::Integral, &TerminateImpl, IntegralTerminate },
 
+  { F::RayEnd, &ComputeRayDirectionDec, RayEnd },
   { F::EmptySpace, &BaseDec, EmptySpaceDec },
   { F::EmptySpaceOfSamples, &BaseImpl, EmptySpaceOfSamples },
   { F::EmptySpaceOfSegments, &BaseImpl, EmptySpaceOfSegments },

@@ -95,6 +95,7 @@ enum class OpticsFeature
   SweepClippingNone,
   IsosurfacesNone,
   Isosurfaces,
+  RayEnd,     // a leap may go beyond it
   EmptySpace, // what sees nothing is skipped
   EmptySpaceOfSamples,
   EmptySpaceOfSegments, // of the integral's

@@ -14,13 +14,15 @@ namespace
 const int WantedRows = 256; // on each axis
 const int MostRowsPerRay = 16;
 const double ManyCells = 262144.0;
-const double SamplesPerVoxel = 2.0;    // fixed, lest programs be linked when the step changes while the camera moves
+const double SamplesPerVoxel =
+  2.0; // fixed, lest programs be linked when the step changes while the camera moves
 const double LeastTransmittance = 1.0 / 255.0; // where VTK ends a ray
 
 class RowCost
 {
 public:
-  RowCost(vtkMacrocellGrid* grid, const VisibleScalars& visible, double voxelsPerUnit, const SkippingTimes& times)
+  RowCost(
+    vtkMacrocellGrid* grid, const VisibleScalars& visible, double voxelsPerUnit, const SkippingTimes& times)
     : Grid(grid)
     , Visible(visible)
     , UnitsPerCell(voxelsPerUnit > 0.0 ? grid->GetCellSize() / voxelsPerUnit : 0.0)

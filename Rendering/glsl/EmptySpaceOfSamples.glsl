@@ -24,10 +24,7 @@
       }
     }
     g_currentT += opticsSkipped;
-    if (opticsSkipped > 0.0 &&
-      (g_currentT - 1.0 >= g_terminatePointMax ||
-        any(greaterThan(max(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMax[0]), vec3(0.0))) ||
-        any(greaterThan(min(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMin[0]), vec3(0.0)))))
+    if (opticsSkipped > 0.0 && opticsIsRayOver())
     {
       break;
     }

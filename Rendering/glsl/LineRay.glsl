@@ -1,13 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Place ComputeRayDirection::Dec, after LineBlock or LineBlockNone. A ray over what is empty.
-
-bool opticsHasLeft(vec3 texPosition)
-{
-  return any(greaterThan(max(g_dirStep, vec3(0.0)) * (texPosition - in_texMax[0]), vec3(0.0))) ||
-    any(greaterThan(min(g_dirStep, vec3(0.0)) * (texPosition - in_texMin[0]), vec3(0.0)));
-}
+// Place ComputeRayDirection::Dec, after RayEnd, and LineBlock or LineBlockNone. A ray over what is empty.
 
 // Leaps to the next sample where something may be drawn, or ends the ray, where VTK's loop would.
 void opticsLeapOverNothing()
@@ -18,7 +12,7 @@ void opticsLeapOverNothing()
   {
     g_dataPos += steps * g_dirStep;
     g_currentT += steps;
-    g_exit = opticsHasLeft(g_dataPos) || g_currentT - 1.0 >= g_terminatePointMax;
+    g_exit = opticsIsRayOver();
     steps = opticsStepsOverNothing(opticsTexToLines(vec4(g_dataPos, 1.0)), direction);
   }
 }

@@ -10,9 +10,7 @@
     {
       g_currentT += 1.0;
       g_dataPos += g_dirStep;
-      opticsIsOver = g_currentT - 1.0 >= g_terminatePointMax ||
-        any(greaterThan(max(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMax[0]), vec3(0.0))) ||
-        any(greaterThan(min(g_dirStep, vec3(0.0)) * (g_dataPos - in_texMin[0]), vec3(0.0)));
+      opticsIsOver = opticsIsRayOver();
     }
     if (opticsIsOver)
     {

@@ -35,8 +35,8 @@ double Estimate(const std::function<bool(int, int, int)>& isSeen, float opacity,
   grid->SetDimensions(Edge, Edge, Edge);
   grid->SetCellSize(CellSize);
   grid->Update();
-  const VisibleScalars visible(
-    { 0.0F, 0.0F, opacity, opacity }, Range, VisibleScalars::Ends::Centres); // seen between the second and third
+  const VisibleScalars visible({ 0.0F, 0.0F, opacity, opacity }, Range,
+    VisibleScalars::Ends::Centres); // seen between the second and third
   grid->Classify(visible, visible);
   return EstimateSkipping(grid, visible, voxelsPerUnit, Times);
 }
