@@ -84,10 +84,8 @@ std::string FaultOf(const std::vector<Term>& terms, const Combination& row)
   const bool isLitByVTK =
     stage.Property->GetShade() && stage.Optics->GetActiveTerms().find("Reflectance") == std::string::npos;
   const double off = RootMeanSquare(stage, Render(SceneOf(stage, frames)), picture);
-  const double light = std::max(1.0, stage.Property->GetLightScale()); // scales the light's error, too
-  return off <= (isLitByVTK ? LargestOfVTK : light * LargestRootMeanSquare)
-    ? ""
-    : "rms " + std::to_string(off) + "/255";
+  return off <= (isLitByVTK ? LargestOfVTK : LargestRootMeanSquare) ? ""
+                                                                    : "rms " + std::to_string(off) + "/255";
 }
 }
 
