@@ -197,8 +197,11 @@ private:
     this->ForEachNeighbour(voxel, this->Voxels.Grid.Dimensions, [&](const glm::ivec3& other) {
       const Scalar* rgba = this->At(other);
       const double opacity = rgba[3];
-      sum += opacity * glm::dvec3(rgba[0], rgba[1], rgba[2]);
-      weight += opacity;
+      if (opacity > 0.0) // the colour of another one may be another thread's to write just now
+      {
+        sum += opacity * glm::dvec3(rgba[0], rgba[1], rgba[2]);
+        weight += opacity;
+      }
     });
     for (int c = 0; c < 3 && weight > 0.0; ++c)
     {
