@@ -16,8 +16,10 @@ uniform vec3 in_opticsGatherNumbers;        // directions, slices, layers of fou
 uniform vec4 in_opticsGather;               // a ray's length, relative to the distance in perspective; the first part
                                             // of it; 1 in perspective; 1, or 0: nothing is known
 
-// Of the pixel, what samples contribute that take the visibility of one before them: too little to gather for.
+// Of the pixel, what samples contribute that take the visibility of one before them, less what lies between the two: too
+// little to gather for. Less where that one lies on something else, in front of a gap.
 const float opticsLargestShare = 1.0 / 16.0;
+const float opticsLargestShareOfOther = 1.0 / 64.0;
 
 // Out of a sample's own stretch, relative to that along the eye's ray. Where rays graze, a surface no longer lies across
 // the eye's ray, but somehow.
@@ -25,6 +27,8 @@ const float opticsLongestWayOut = 2.0;
 
 float g_opticsGathered = 1.0; // by the last sample that gathered
 float g_opticsShare = 1.0;    // since then; the first sample gathers
+float g_opticsSince = 0.0;    // optical depth that the eye's ray has met since: it hides as much from this sample
+float g_opticsEnough = 0.0;   // for which the next one gathers
 
 bool opticsIsClipped(vec3 world);
 
@@ -107,6 +111,7 @@ float opticsOcclusion(vec3 texPosition, float opacity)
   // sample lies a step behind the face of the volume, or a clipping plane, and stands for all of that.
   bool isFirst = dot(texPosition - g_rayOrigin, g_dirStep) < 1.5 * dot(g_dirStep, g_dirStep);
   vec3 front = texPosition - (isFirst ? 1.0 : 0.5) * g_dirStep;
+  g_opticsEnough = g_currentT - g_opticsLastT > 2.5 ? opticsLargestShareOfOther : g_opticsEnough;
   opticsRemember(opacity);
   front -= opticsShiftToMet(front) * g_dirStep;
   vec3 position = (in_opticsGatherView * vec4(front, 1.0)).xyz;
@@ -114,7 +119,7 @@ float opticsOcclusion(vec3 texPosition, float opacity)
   vec3 axis = isPerspective ? -normalize(position) : vec3(0.0, 0.0, -1.0);
   float reach = in_opticsGather.x * (isPerspective ? position.z : 1.0);
   g_opticsShare += opacity * (1.0 - g_fragColor.a);
-  bool gathers = opacity > 0.0 && g_opticsShare > opticsLargestShare;
+  bool gathers = opacity > 0.0 && g_opticsShare > g_opticsEnough;
   int directions = gathers ? int(in_opticsGatherNumbers.x) : 0;
   float sum = 0.0;
   for (int i = 0; i < directions; ++i)
@@ -127,6 +132,11 @@ float opticsOcclusion(vec3 texPosition, float opacity)
   }
   g_opticsGathered = gathers ? sum / in_opticsGatherNumbers.x : g_opticsGathered;
   g_opticsShare = gathers ? 0.0 : g_opticsShare;
-  return in_opticsGather.w > 0.0 ? g_opticsGathered : 1.0;
+  g_opticsEnough = gathers ? opticsLargestShare : g_opticsEnough;
+  float halfDepth = 0.5 * g_opticsLastDepth;
+  g_opticsSince = gathers ? 0.0 : g_opticsSince + halfDepth;
+  float visibility = g_opticsGathered * exp(-min(g_opticsSince, LargestDepth));
+  g_opticsSince += halfDepth;
+  return in_opticsGather.w > 0.0 ? visibility : 1.0;
 #endif
 }
