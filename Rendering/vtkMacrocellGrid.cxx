@@ -30,7 +30,8 @@ double CountCells(const int dimensions[3], int cellSize)
   double cells = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    cells *= (dimensions[axis] + cellSize - 1) / cellSize;
+    const int onAxis = (dimensions[axis] + cellSize - 1) / cellSize;
+    cells *= onAxis;
   }
   return cells;
 }
