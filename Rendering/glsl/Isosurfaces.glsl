@@ -7,6 +7,10 @@
 uniform sampler2D in_opticsIsosurfaces; // row 0: the value; row 1: colour and opacity, red < 0: the data's colour
 uniform int in_opticsNumberOfIsosurfaces;
 
+// Each is a fetch, and takes light on a surface 6 to 8 times nearer to that where bisection finds it, with steps of
+// half a voxel.
+const int opticsRefinements = 2;
+
 int g_opticsValuesBelow; // isovalues that the scalar at the front has reached
 
 float opticsIsovalue(int index)
@@ -37,6 +41,35 @@ int opticsNextIsosurface(float back)
   return -1;
 }
 
+vec3 opticsPointOfSegment(float place, float steps)
+{
+  return g_dataPos - g_dirStep * (steps * (1.0 - place));
+}
+
+// Where the segment that ends at g_dataPos has the value, 0 at its front and 1 at its end. At begin the scalar is that
+// of the front. Between its ends it is not linear, but closer to it the nearer two points are.
+float opticsCrossing(float begin, float front, float back, float value, float steps)
+{
+  float end = 1.0;
+  float place = mix(begin, end, CrossingFraction(front, back, value));
+  for (int i = 0; i < opticsRefinements; ++i)
+  {
+    float scalar = dot(opticsScalarsAt(opticsPointOfSegment(place, steps)), in_opticsOpacityChannel);
+    if (CrossesIsovalue(front, scalar, value))
+    {
+      end = place;
+      back = scalar;
+    }
+    else if (CrossesIsovalue(scalar, back, value))
+    {
+      begin = place;
+      front = scalar;
+    }
+    place = mix(begin, end, CrossingFraction(front, back, value));
+  }
+  return place;
+}
+
 // At a point of the segment that ends at g_dataPos, lit there.
 void opticsIsosurfaceToEye(int index, vec3 texPosition)
 {
@@ -64,9 +97,9 @@ void opticsSegmentToEye(float front, float back, float steps, vec4 scalars)
   for (int surface = opticsNextIsosurface(back); surface >= 0; surface = opticsNextIsosurface(back))
   {
     float value = opticsIsovalue(surface);
-    float place = CrossingFraction(front, back, value);
+    float place = opticsCrossing(done, from, back, value, steps);
     opticsSmoothToEye(from, value, steps * (place - done), scalars);
-    opticsIsosurfaceToEye(surface, g_dataPos - g_dirStep * (steps * (1.0 - place)));
+    opticsIsosurfaceToEye(surface, opticsPointOfSegment(place, steps));
     from = value;
     done = place;
   }

@@ -105,6 +105,17 @@ const Setting Settings[] = {
       IntegrateInData(s);
       s.Property->SetClassificationToPreIntegrated();
     } },
+  { "isosurfaces where light begins, steps of half a voxel",
+    [](TestScene& s) {
+      IntegrateInData(s);
+      s.Property->AddIsosurface(0.2, 0.9, 0.2, 0.1, 0.7);
+      s.Property->AddIsosurface(0.55, 0.2, 0.9, 0.3, 0.4);
+      s.Property->SetGradientStepLength(2.0);
+      s.Property->SetLightScale(2.0);
+      s.Optics->SetLightingTableSize(1024);
+      s.Source->SetDimensions(12, 12, 12);
+      s.Mapper->SetSampleDistance(0.09F);
+    } },
 };
 
 // Over the normals that the reference has, too; the first row is the mapper's default.
