@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 import Checks
 from Checks import check, check_differs, check_equal, finish, take_picture
 
-simple.Connect("localhost", int(sys.argv[1]))
+simple.Connect("127.0.0.1", int(sys.argv[1]))
 simple._DisableFirstRenderCameraReset()
 if sys.argv[2] == "both":
     simple.LoadPlugin(Checks.PLUGIN, remote=True, ns=vars(simple))
