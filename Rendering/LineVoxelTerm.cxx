@@ -81,7 +81,11 @@ bool LineVoxelTerm::Prepare(const OpticsScene& scene)
 void LineVoxelTerm::PrepareBlock(const OpticsScene& scene)
 {
   vtkImageData* image = this->GetBlock();
-  const std::string error = image ? this->Block.Update(image, scene) : "";
+  std::string error = image ? this->Block.Update(image, scene) : "";
+  if (image && error.empty() && this->Block.IsEmpty())
+  {
+    error = "It holds no lines: give it the voxels of some by vtkAnisotropicLineVoxelizer.";
+  }
   if (!error.empty())
   {
     scene.Mapper->Say("The block of lines is left out. " + error);

@@ -9,6 +9,7 @@
 #include "vtkMatrix3x3.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
+#include "vtkPolyData.h"
 #include "vtkTransform.h"
 
 namespace
@@ -240,6 +241,11 @@ void CheckBlock(Check& check)
   check.That(scene.Render() != without, "the block is not drawn");
   scene.Mapper->SetLineBlockInputConnection(nullptr);
   check.That(scene.Render() == without, "a block that is taken away is drawn");
+  const lines::Messages messages(scene.Mapper);
+  voxelizer->SetInputData(vtkNew<vtkPolyData>());
+  scene.Mapper->SetLineBlockInputData(VoxelsOf(voxelizer));
+  check.That(scene.Render() == without, "a block without lines is left out");
+  check.That(messages.Has("holds no lines"), "as is said, once");
 }
 }
 

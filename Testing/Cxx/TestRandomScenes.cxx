@@ -23,8 +23,9 @@ namespace
 const char* const Documented[] = { "is outside its range", "is not a number", "is not finite",
   "are not finite", "is none of", "is not set: choose", "is not set: reflectance model", "is not added",
   "no boundary is added", "there is no boundary", "there is no rule", "does not support", "do not support",
-  "Occlusion is left out", "Shadows are left out", "HybridNormals need a scalar opacity function",
-  "more lights than", "are not those that the lines' voxels", "normals and anisotropy cannot be used" };
+  "Occlusion is left out", "Shadows are left out", "The block of lines is left out",
+  "HybridNormals need a scalar opacity function", "more lights than", "are not those that the lines' voxels",
+  "normals and anisotropy cannot be used" };
 
 bool IsDocumented(const std::string& text)
 {
