@@ -31,6 +31,11 @@ const Statement ClassificationCalls[] = {
   { "return opticsUnclamped(computeLighting(", "return opticsUnclamped(opticsLightClassified(" },
 };
 
+// VTK's headlight takes the power of a negative cosine where lighting has one side, which is no number.
+const Statement Highlights[] = {
+  { "pow(nDotH, in_shininess[component])", "pow(max(nDotH, 0.0), in_shininess[component])" },
+};
+
 template <std::size_t Count>
 bool ReplaceAny(std::string& fragment, const Statement (&statements)[Count])
 {
@@ -124,6 +129,10 @@ std::string ReplaceOpticsInVTK(std::string& fragment, const OpticsFeatures& feat
   if (features.Has(OpticsFeature::MultiSample) && !ReplaceAny(fragment, ClassificationCalls))
   {
     return ClassificationCalls[0].Text;
+  }
+  if (features.Has(OpticsFeature::Integral) || features.Has(OpticsFeature::MultiSample))
+  {
+    ReplaceAny(fragment, Highlights); // of VTK's computeLighting(), where it is there
   }
   return std::string();
 }

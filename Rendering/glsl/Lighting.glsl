@@ -31,5 +31,7 @@ vec4 computeLighting(vec4 color, int component, float label)
   }
   vec3 radiance = color.rgb * (ambient + coefficients.diffuse * diffuse + transmitted) +
     coefficients.specular * (surface.coefficient * specular);
-  return vec4(clamp(radiance, 0.0, opticsLargestRadiance), color.a * opticsGradientOpacity(component, label));
+  // a 2D function that VTK resizes overshoots
+  float opacity = clamp(color.a * opticsGradientOpacity(component, label), 0.0, 1.0);
+  return vec4(clamp(radiance, 0.0, opticsLargestRadiance), opacity);
 }

@@ -191,6 +191,7 @@ private:
     second->SetProperty(this->Property);
     second->SetPosition(0.3 * this->Size(), 0.0, 0.2 * this->Size());
     vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(this->Mapper)->SetPartitions(1, 1, 1);
+    this->Mapper->SetMaskInput(nullptr); // VTK ends in a crash where several volumes have a mask of labels
     this->Mapper->SetInputConnection(1, this->Mapper->GetInputConnection(0, 0));
     vtkNew<vtkMultiVolume> both;
     both->SetMapper(this->Mapper);

@@ -91,6 +91,11 @@ const Extreme Extremes[] = {
   { "a table of 2 entries", [](TestScene& s) { s.Optics->SetPreIntegrationTableSize(2); } },
   { "half floats", [](TestScene& s) { s.Optics->SetTablePrecision(16); } },
   { "long steps", [](TestScene& s) { s.Mapper->SetSampleDistance(100.0F); } },
+  { "a headlight on one side, seen from the other",
+    [](TestScene& s) {
+      s.Property->ShadeOn();
+      s.Renderer->TwoSidedLightingOff();
+    } },
   { "many isosurfaces",
     [](TestScene& s) {
       for (int i = 0; i < 64; ++i)
