@@ -100,8 +100,11 @@ void SetGatheringUniforms(const OpticsScene& scene, const vtkVisibilitySweep::Vo
   const int directions = scene.Mapper->GetVisibilitySamples();
   const int samples = scene.Mapper->GetVisibilityGatherSamples();
   SetWays(directions, scene.Optics->GetOcclusionAngle(), program);
-  const double numbers[3] = { 1.0 * directions, 1.0 * grid.GetSize()[2], 0.25 * directions };
-  program->SetUniform3f("in_opticsGatherNumbers", numbers);
+  // half of the directions while the user interacts
+  const int stride = std::min(scene.Mapper->GetCoarseness(), 2);
+  const float numbers[4] = { static_cast<float>(directions), static_cast<float>(grid.GetSize()[2]),
+    0.25F * static_cast<float>(directions), static_cast<float>(stride) };
+  program->SetUniform4f("in_opticsGatherNumbers", numbers);
   const float gather[4] = { static_cast<float>(LengthOfRay(grid)),
     static_cast<float>(optics::FirstPartOfRay(samples)), grid.GetIsPerspective() ? 1.0F : 0.0F,
     isSwept ? 1.0F : 0.0F };

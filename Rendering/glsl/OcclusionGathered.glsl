@@ -12,7 +12,8 @@ uniform mat3 in_opticsGatherTexture;        // ways from the eye's coordinates t
 uniform mat3 in_opticsGatherLengths;        // and to lengths in units of the opacity
 uniform mat4 in_opticsGatherWorld;          // VTK's texture coordinates to the world's
 uniform vec3 in_opticsGatherWays[16];       // of length 1, about (0, 0, -1)
-uniform vec3 in_opticsGatherNumbers;        // directions, slices, layers of four directions
+uniform vec4 in_opticsGatherNumbers;        // directions, slices, layers of four directions, and of the directions
+                                            // each so-manieth is gathered
 uniform vec4 in_opticsGather;               // a ray's length, relative to the distance in perspective; the first part
                                             // of it; 1 in perspective; 1, or 0: nothing is known
 
@@ -121,8 +122,9 @@ float opticsOcclusion(vec3 texPosition, float opacity)
   g_opticsShare += opacity * (1.0 - g_fragColor.a);
   bool gathers = opacity > 0.0 && g_opticsShare > g_opticsEnough;
   int directions = gathers ? int(in_opticsGatherNumbers.x) : 0;
+  int stride = int(in_opticsGatherNumbers.w);
   float sum = 0.0;
-  for (int i = 0; i < directions; ++i)
+  for (int i = 0; i < directions; i += stride)
   {
     vec3 way = reach * TurnToAxis(in_opticsGatherWays[i], axis);
     vec3 texWay = in_opticsGatherTexture * way;
@@ -130,7 +132,7 @@ float opticsOcclusion(vec3 texPosition, float opacity)
     float own = StretchVisibility(opacity, min(-1.0 / in_opticsGatherWays[i].z, opticsLongestWayOut));
     sum += own * exp(-min(depth, LargestDepth)) * opticsReaching(i, front + texWay);
   }
-  g_opticsGathered = gathers ? sum / in_opticsGatherNumbers.x : g_opticsGathered;
+  g_opticsGathered = gathers ? sum * in_opticsGatherNumbers.w / in_opticsGatherNumbers.x : g_opticsGathered;
   g_opticsShare = gathers ? 0.0 : g_opticsShare;
   g_opticsEnough = gathers ? opticsLargestShare : g_opticsEnough;
   float halfDepth = 0.5 * g_opticsLastDepth;

@@ -7,6 +7,8 @@
 #include "TestScene.h"
 
 #include "vtkRenderWindowInteractor.h"
+#include "vtkShaderProgram.h"
+#include "vtk_glew.h"
 #include "vtkVisibilitySweep.h"
 
 namespace
@@ -38,14 +40,42 @@ struct State
   int Links;
 };
 
+// How many directions of the cone a sample gathered, as the last frame's program had it.
+class GatheredDirections
+{
+public:
+  explicit GatheredDirections(TestScene& scene)
+  {
+    this->Command->SetClientData(&this->Program);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* program, void* drawn) {
+      *static_cast<unsigned int*>(program) =
+        static_cast<unsigned int>(static_cast<vtkShaderProgram*>(drawn)->GetHandle());
+    });
+    scene.Mapper->AddObserver(vtkCommand::UpdateShaderEvent, this->Command);
+  }
+
+  float Get() const
+  {
+    float numbers[4] = {};
+    glGetUniformfv(this->Program, glGetUniformLocation(this->Program, "in_opticsGatherNumbers"), numbers);
+    return numbers[0] / numbers[3];
+  }
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+  unsigned int Program = 0;
+};
+
 // With the rates of an interactor, or with those of a window alone.
 void CheckFrames(Check& check, const std::string& name, TestScene& scene)
 {
   const double stillRate = scene.Window->GetDesiredUpdateRate();
+  const GatheredDirections directions(scene);
   scene.Property->OcclusionOn();
   scene.Optics->SetQualityToBalanced();
   const std::vector<unsigned char> still = scene.Render();
   const State fine(scene);
+  check.Near(name + ": directions", directions.Get(), scene.Optics->GetVisibilitySamples(), 0.0);
   scene.Window->SetDesiredUpdateRate(1.0e6); // never to be had
   for (int frame = 0; frame < 3; ++frame)
   {
@@ -54,6 +84,8 @@ void CheckFrames(Check& check, const std::string& name, TestScene& scene)
   }
   const State coarse(scene);
   check.Near(name + ": step while the camera moves", coarse.Step, 4.0 * fine.Step, 1e-6);
+  check.Near(name + ": directions while the camera moves", directions.Get(),
+    0.5 * scene.Optics->GetVisibilitySamples(), 0.0);
   check.AtMost(name + ": froxels while the camera moves", coarse.Grid, 0.25 * fine.Grid + 1.0);
   scene.Renderer->GetActiveCamera()->Azimuth(-3.0);
   check.That(scene.Render() != still, name + ": the coarse picture is the fine one");
@@ -74,6 +106,8 @@ void CheckFrames(Check& check, const std::string& name, TestScene& scene)
     name + ": difference of the picture after the interaction", LargestDifference(scene.Render(), still), 0);
   const State after(scene);
   check.Near(name + ": step after the interaction", after.Step, fine.Step, 0.0);
+  check.Near(
+    name + ": directions after the interaction", directions.Get(), scene.Optics->GetVisibilitySamples(), 0.0);
   check.That(after.Grid == fine.Grid, name + ": froxels after the interaction");
   check.That(after.Links == fine.Links, name + ": a program is linked for it");
 }
