@@ -129,6 +129,7 @@ set(rendering_sources
   StandaloneShaders
   SweepGrid
   SweepProgram
+  SweepRegions
   SweepSources
   SweepTarget
   SweepUniforms

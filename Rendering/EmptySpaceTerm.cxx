@@ -17,6 +17,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -80,6 +81,7 @@ bool EmptySpaceTerm::IsActive(const OpticsScene& scene)
 {
   const bool isServed = scene.Mapper->GetSkipEmptySpace() && FindUnsupportedBySamples(scene).empty() &&
     IsSeenByScalars(scene) && !scene.Mapper->HasPartitions() && !HasOwnShader(scene);
+  this->IsKnown = false;
   if (!isServed)
   {
     this->Grid->SetScalars(nullptr); // nor keeps them from being deleted
@@ -108,6 +110,7 @@ bool EmptySpaceTerm::Prepare(const OpticsScene& scene)
     return false;
   }
   this->Classify(scene);
+  this->IsKnown = true;
   return this->IsWorthwhile(scene);
 }
 
@@ -125,6 +128,21 @@ void EmptySpaceTerm::Classify(const OpticsScene& scene)
     this->VisibleWhereConstant = visibleWhereConstant;
     this->RangesTime = this->Grid->GetUpdateTime();
   }
+}
+
+//------------------------------------------------------------------------------
+bool EmptySpaceTerm::FindVisibleBox(double box[6]) const
+{
+  int dimensions[3], cells[6];
+  this->Grid->GetDimensions(dimensions);
+  this->Grid->GetVisibleExtent(cells);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double side = static_cast<double>(this->Grid->GetCellSize()) / dimensions[axis];
+    box[2 * axis] = side * std::min(cells[2 * axis], cells[2 * axis + 1] + 1);
+    box[2 * axis + 1] = side * (cells[2 * axis + 1] + 1);
+  }
+  return this->IsKnown;
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,9 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override { this->Texture.Release(window); }
   std::size_t GetMemorySize() const override;
 
+  // Least and largest texture coordinates, on each axis, of what can be seen. False: of this frame that is not known.
+  bool FindVisibleBox(double box[6]) const;
+
 private:
   void Classify(const OpticsScene& scene);
   bool IsWorthwhile(const OpticsScene& scene);
@@ -38,6 +41,7 @@ private:
   vtkNew<vtkMacrocellGrid> Grid;
   VisibleScalars Visible;
   VisibleScalars VisibleWhereConstant;
+  bool IsKnown = false;        // what is visible in this frame
   vtkMTimeType RangesTime = 0; // of the grid that was classified
   using EstimateOf =
     std::tuple<vtkMTimeType, bool, double>; // classification, gradients, voxels per unit distance

@@ -27,6 +27,8 @@ namespace
 // So far the interpolation between froxels reaches, and their mean from slice to slice; measured (docs/accuracy.md).
 const double FroxelsOfRay = 3.5;
 
+const double StepsInFront = 2.5;
+
 // VTK keeps matrices row by row.
 glm::dmat4 Columns(const double rows[16])
 {
@@ -80,6 +82,25 @@ void AddGatheringFeatures(const OpticsScene& scene, OpticsFeatures& features)
   {
     features.Add(OpticsFeature::SeenSamples);
     features.Add(OpticsFeature::RayEnd);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Along the ray from the eye it begins up to two steps and a half in front of the sample: half of its stretch, or all of
+// the first, and what it is shifted.
+void SetGatheringReach(const SweepGrid& grid, vtkVisibilitySweep::Volume& volume)
+{
+  const double length = LengthOfRay(grid);
+  const double* window = grid.GetWindow();
+  const double place = std::max({ -window[0], window[1], -window[2], window[3] });
+  const glm::dmat4 dataToView = Columns(grid.GetWorldToView()) * Columns(volume.DataToWorld);
+  const glm::dvec3 depthOfData(dataToView[0][2], dataToView[1][2], dataToView[2][2]);
+  volume.LookAlong =
+    length * grid.GetWidth(grid.GetEnd()) + StepsInFront * volume.StepLength * glm::length(depthOfData);
+  volume.LookAside = length;
+  if (grid.GetIsPerspective())
+  {
+    volume.LookAside = length < 1.0 ? (1.0 + place) * length / (1.0 - length) : VTK_DOUBLE_MAX;
   }
 }
 

@@ -16,6 +16,9 @@ class vtkShaderProgram;
 /** What the text of gathering needs. */
 void AddGatheringFeatures(const OpticsScene& scene, OpticsFeatures& features);
 
+/** How far from its sample a ray looks at the sweep. */
+void SetGatheringReach(const SweepGrid& grid, vtkVisibilitySweep::Volume& volume);
+
 /** All uniforms of OcclusionGathered.glsl but the texture and the table of opacities. */
 void SetGatheringUniforms(const OpticsScene& scene, const vtkVisibilitySweep::Volume& volume,
   const SweepGrid& grid, bool isSwept, vtkShaderProgram* program);

@@ -90,7 +90,11 @@ void OcclusionTerm::BeforeDraw(const OpticsScene& scene, vtkShaderProgram* progr
   double corners[24];
   VolumeCorners(scene, corners);
   const SweepGrid grid(CameraView(scene), corners, SweepResolution(scene));
-  const vtkVisibilitySweep::Volume volume = SweptVolume(scene, program);
+  vtkVisibilitySweep::Volume volume = SweptVolume(scene, program);
+  if (GathersOcclusion(scene))
+  {
+    SetGatheringReach(grid, volume);
+  }
   const bool isSwept = this->Sweep(scene, volume, grid);
   vtkTextureObject* texture = isSwept ? this->Eye->GetTexture() : scene.Mapper->GetVolumeTexture();
   texture->Activate(); // a sampler needs some texture of its kind

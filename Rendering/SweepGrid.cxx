@@ -63,9 +63,7 @@ SweepGrid::SweepGrid(const View& view, const double corners[24], const Resolutio
   : IsPerspective(view.IsPerspective)
 {
   std::copy(view.WorldToView, view.WorldToView + 16, this->WorldToView);
-  double inView[24];
-  ToView(view.WorldToView, corners, inView);
-  if (this->FindDepths(view, inView) && this->FindWindow(view, inView))
+  if (this->SetDepths(view, corners) && this->SetWindow(view, corners))
   {
     this->Divide(resolution);
   }
@@ -81,27 +79,37 @@ bool SweepGrid::operator==(const SweepGrid& other) const
 }
 
 //------------------------------------------------------------------------------
-bool SweepGrid::FindDepths(const View& view, const double inView[24])
+void SweepGrid::FindDepths(const double corners[24], double range[2]) const
 {
-  this->Begin = std::numeric_limits<double>::max();
-  this->End = -std::numeric_limits<double>::max();
+  double inView[24];
+  ToView(this->WorldToView, corners, inView);
+  range[0] = std::numeric_limits<double>::max();
+  range[1] = -std::numeric_limits<double>::max();
   for (int corner = 0; corner < 8; ++corner)
   {
-    this->Begin = std::min(this->Begin, inView[3 * corner + 2]);
-    this->End = std::max(this->End, inView[3 * corner + 2]);
+    range[0] = std::min(range[0], inView[3 * corner + 2]);
+    range[1] = std::max(range[1], inView[3 * corner + 2]);
   }
-  this->Begin = std::max(this->Begin, view.Range[0]);
-  this->End = std::min(this->End, view.Range[1]);
+}
+
+//------------------------------------------------------------------------------
+bool SweepGrid::SetDepths(const View& view, const double corners[24])
+{
+  double range[2];
+  this->FindDepths(corners, range);
+  this->Begin = std::max(range[0], view.Range[0]);
+  this->End = std::min(range[1], view.Range[1]);
   return this->Begin < this->End;
 }
 
 //------------------------------------------------------------------------------
-// The box's outline between the depths: its edges there, and where they are cut.
-bool SweepGrid::FindWindow(const View& view, const double inView[24])
+// The box's edges there, and where they are cut.
+bool SweepGrid::FindOutline(const double corners[24], const double range[2], double outline[4]) const
 {
-  double box[4] = { std::numeric_limits<double>::max(), -std::numeric_limits<double>::max(),
-    std::numeric_limits<double>::max(), -std::numeric_limits<double>::max() };
-  const double range[2] = { this->Begin, this->End };
+  double inView[24];
+  ToView(this->WorldToView, corners, inView);
+  outline[0] = outline[2] = std::numeric_limits<double>::max();
+  outline[1] = outline[3] = -std::numeric_limits<double>::max();
   ForEachEdge([&](int first, int second) {
     const double* from = inView + 3 * first;
     const double* to = inView + 3 * second;
@@ -116,11 +124,23 @@ bool SweepGrid::FindWindow(const View& view, const double inView[24])
       for (int axis = 0; axis < 2; ++axis)
       {
         const double place = (from[axis] + at * (to[axis] - from[axis])) / this->GetWidth(z);
-        box[2 * axis] = std::min(box[2 * axis], place);
-        box[2 * axis + 1] = std::max(box[2 * axis + 1], place);
+        outline[2 * axis] = std::min(outline[2 * axis], place);
+        outline[2 * axis + 1] = std::max(outline[2 * axis + 1], place);
       }
     }
   });
+  return outline[0] <= outline[1];
+}
+
+//------------------------------------------------------------------------------
+bool SweepGrid::SetWindow(const View& view, const double corners[24])
+{
+  const double range[2] = { this->Begin, this->End };
+  double box[4];
+  if (!this->FindOutline(corners, range, box))
+  {
+    return false;
+  }
   for (int axis = 0; axis < 2; ++axis)
   {
     const double margin = Margin * (view.Window[2 * axis + 1] - view.Window[2 * axis]);

@@ -56,12 +56,23 @@ public:
   /** Least and largest place on x and y. */
   const double* GetWindow() const { return this->Window; }
 
+  /** Least and largest z: what is left of those of the box. */
+  double GetBegin() const { return this->Begin; }
+  double GetEnd() const { return this->End; }
+
   /** z between one slice's middle and the next one's, and of the middle of a slice. */
   double GetSliceDistance() const { return this->SliceDistance; }
   double GetDepth(int slice) const { return this->Begin + (slice + 0.5) * this->SliceDistance; }
 
   /** What a place is multiplied by to give x or y, at z. */
   double GetWidth(double z) const { return this->IsPerspective ? z : 1.0; }
+
+  /** Least and largest z of a box, given by its corners in world coordinates. */
+  void FindDepths(const double corners[24], double range[2]) const;
+
+  /** Least and largest place on x and y of a box, given by its corners in world coordinates, between two z. False:
+   * none of it lies there. */
+  bool FindOutline(const double corners[24], const double range[2], double outline[4]) const;
 
   /**
    * World coordinates to (x w, y w, z, w), row by row, with the texture coordinates x, y and z at which is kept
@@ -70,8 +81,8 @@ public:
   void GetWorldToTexture(double matrix[16], bool isInMiddle = false) const;
 
 private:
-  bool FindDepths(const View& view, const double inView[24]);
-  bool FindWindow(const View& view, const double inView[24]);
+  bool SetDepths(const View& view, const double corners[24]);
+  bool SetWindow(const View& view, const double corners[24]);
   void Divide(const Resolution& resolution);
 
   double WorldToView[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 };

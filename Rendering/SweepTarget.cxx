@@ -41,6 +41,7 @@ public:
     , Blend(state, GL_BLEND)
     , DepthTest(state, GL_DEPTH_TEST)
     , CullFace(state, GL_CULL_FACE)
+    , Scissor(state)
     , ScissorTest(state, GL_SCISSOR_TEST)
     , StencilTest(state, GL_STENCIL_TEST)
   {
@@ -61,6 +62,7 @@ private:
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglEnableDisable DepthTest;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
+  vtkOpenGLState::ScopedglScissor Scissor;
   vtkOpenGLState::ScopedglEnableDisable ScissorTest;
   vtkOpenGLState::ScopedglEnableDisable StencilTest;
 };
@@ -140,15 +142,19 @@ void SweepTarget::Attach(int slice, Textures& written)
 }
 
 //------------------------------------------------------------------------------
-// In front of the first slice nothing is hidden.
-void SweepTarget::FillWithLight(Textures& textures)
+// Of what is attached, the textures of that many each: layers of the slice are the even ones.
+void SweepTarget::FillWithLight(int first, int stride)
 {
-  this->Attach(0, textures);
-  // but not the slice that is attached first: it may have been filled before
-  for (int i = 1; i < 2 * this->Current.GetNumberOfTextures(); i += 2)
+  for (int i = first; i < 2 * this->Current.GetNumberOfTextures(); i += stride)
   {
     glClearBufferfv(GL_COLOR, i, Light);
   }
+}
+
+//------------------------------------------------------------------------------
+bool SweepTarget::IsWhole(const SweepRectangle& region) const
+{
+  return region == SweepRectangle{ { 0, 0 }, { this->Current.Size[0], this->Current.Size[1] } };
 }
 
 //------------------------------------------------------------------------------
@@ -160,20 +166,35 @@ void SweepTarget::Begin()
   state->vtkglViewport(0, 0, this->Current.Size[0], this->Current.Size[1]);
   glGenVertexArrays(1, &this->VertexArray);
   glBindVertexArray(this->VertexArray);
-  this->FillWithLight(this->Passed[1]);
+  // in front of the first slice nothing is hidden; but the slice itself may have been filled before
+  this->Attach(0, this->Passed[1]);
+  this->FillWithLight(1, 2);
 }
 
 //------------------------------------------------------------------------------
 // The texture that is read is never the one that is drawn on.
-void SweepTarget::DrawSlice(int slice, vtkShaderProgram* program)
+void SweepTarget::DrawSlice(int slice, const SweepRectangle& region, vtkShaderProgram* program)
 {
   Textures& read = this->Passed[(slice + 1) % 2];
   this->Attach(slice, this->Passed[slice % 2]);
+  if (!this->IsWhole(region))
+  {
+    this->FillWithLight(0, 1);
+  }
+  if (region.IsEmpty())
+  {
+    return;
+  }
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglScissor(
+    region.Begin[0], region.Begin[1], region.End[0] - region.Begin[0], region.End[1] - region.Begin[1]);
+  state->SetEnumState(GL_SCISSOR_TEST, true);
   for (int i = 0; i < this->Current.GetNumberOfTextures(); ++i)
   {
     read[i].Bind(("in_sweepPassed" + std::to_string(i)).c_str(), program);
   }
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  state->SetEnumState(GL_SCISSOR_TEST, false);
   for (TermTexture& texture : read)
   {
     texture.Unbind();

@@ -7,6 +7,7 @@
 #ifndef SweepTarget_h
 #define SweepTarget_h
 
+#include "SweepRegions.h"
 #include "TermTexture.h"
 
 #include "vtkTimeStamp.h"
@@ -47,9 +48,10 @@ public:
   /** False: this OpenGL does not draw on such textures. */
   bool Allocate(vtkOpenGLRenderWindow* window, const Format& format);
 
-  /** Begin() keeps aside what is bound and set in the window, End() brings it back. */
+  /** Begin() keeps aside what is bound and set in the window, End() brings it back. Around the region of a slice all
+   * light arrives. */
   void Begin();
-  void DrawSlice(int slice, vtkShaderProgram* program);
+  void DrawSlice(int slice, const SweepRectangle& region, vtkShaderProgram* program);
   void End();
 
   /** When the textures were made anew. */
@@ -65,7 +67,8 @@ private:
 
   bool IsComplete();
   void Attach(int slice, Textures& written);
-  void FillWithLight(Textures& textures);
+  bool IsWhole(const SweepRectangle& region) const;
+  void FillWithLight(int first, int stride);
 
   vtkOpenGLRenderWindow* Window = nullptr;
   Format Current = {};

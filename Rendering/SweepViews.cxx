@@ -36,6 +36,16 @@ void SetWorldToView(vtkMatrix4x4* worldToEye, double worldToView[16])
     worldToView[i] = -worldToView[i];
   }
 }
+
+void TextureCorners(const double textureToWorld[16], const double box[6], double corners[24])
+{
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double point[4] = { box[corner & 1], box[2 + ((corner >> 1) & 1)], box[4 + ((corner >> 2) & 1)], 1.0 };
+    vtkMatrix4x4::MultiplyPoint(textureToWorld, point, point);
+    std::copy(point, point + 3, corners + 3 * corner);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -165,6 +175,13 @@ vtkVisibilitySweep::Volume SweptVolume(const OpticsScene& scene, vtkShaderProgra
   std::copy(dataToWorld->GetData(), dataToWorld->GetData() + 16, volume.DataToWorld);
   volume.StepLength = scene.Mapper->GetFrameSampleDistance(scene.Volume);
   volume.Times = SweepSources(scene, ray);
+  volume.SkipsEmptySpace = scene.Mapper->GetSkipEmptySpace();
+  VolumeCorners(scene, volume.Box);
+  double box[6];
+  if (!ReplacesIntegral(scene) && !HasLineVoxels(scene) && scene.Mapper->FindVisibleBox(box))
+  {
+    TextureCorners(volume.TextureToWorld, box, volume.Box);
+  }
   return volume;
 }
 

@@ -214,7 +214,35 @@ void vtkMacrocellGrid::Classify(const VisibleScalars& visible, const VisibleScal
   const double cells = std::max<double>(static_cast<double>(this->Lowest.size()), 1.0);
   this->EmptyFraction = static_cast<double>(empty) / cells;
   this->DeepEmptyFraction = static_cast<double>(deep) / cells;
+  this->FindVisibleExtent();
   this->ClassifyTime.Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMacrocellGrid::FindVisibleExtent()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->VisibleExtent[2 * axis] = this->GridSize[axis];
+    this->VisibleExtent[2 * axis + 1] = -1;
+  }
+  const unsigned char* distance = this->Distances.data();
+  int cell[3];
+  for (cell[2] = 0; cell[2] < this->GridSize[2]; ++cell[2])
+  {
+    for (cell[1] = 0; cell[1] < this->GridSize[1]; ++cell[1])
+    {
+      for (cell[0] = 0; cell[0] < this->GridSize[0]; ++cell[0], ++distance)
+      {
+        for (int axis = 0; axis < 3 && *distance == 0; ++axis)
+        {
+          int* extent = this->VisibleExtent + 2 * axis;
+          extent[0] = std::min(extent[0], cell[axis]);
+          extent[1] = std::max(extent[1], cell[axis]);
+        }
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -228,7 +256,12 @@ void vtkMacrocellGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Component: " << this->Component << "\n";
   os << indent << "GridSize: " << this->GridSize[0] << " " << this->GridSize[1] << " " << this->GridSize[2]
      << "\n";
-  os << indent << "EmptyFraction: " << this->EmptyFraction << "\n";
+  os << indent << "VisibleExtent:";
+  for (const int cell : this->VisibleExtent)
+  {
+    os << " " << cell;
+  }
+  os << "\n" << indent << "EmptyFraction: " << this->EmptyFraction << "\n";
   os << indent << "DeepEmptyFraction: " << this->DeepEmptyFraction << "\n";
   os << indent << "MemorySize: " << this->GetMemorySize() << "\n";
 }

@@ -91,6 +91,12 @@ public:
    */
   int GetCellDistance(int i, int j, int k);
 
+  /**
+   * First and last cell on each axis between which all lie that are not empty, after Classify(); the first is behind
+   * the last where all are empty.
+   */
+  vtkGetVector6Macro(VisibleExtent, int);
+
   /** Part of the cells that are empty, in [0, 1], after Classify(). */
   vtkGetMacro(EmptyFraction, double);
 
@@ -130,6 +136,7 @@ private:
 
   bool IsUsable();
   void FindRanges();
+  void FindVisibleExtent();
   std::size_t Index(int i, int j, int k) const;
 
   int CellSize = 8;
@@ -142,6 +149,7 @@ private:
   std::vector<float> Highest;
   std::vector<unsigned char> NonFinite;
   std::vector<unsigned char> Distances;
+  int VisibleExtent[6] = { 0, -1, 0, -1, 0, -1 };
   double EmptyFraction = 0.0;
   double DeepEmptyFraction = 0.0;
   vtkTimeStamp UpdateTime;

@@ -277,6 +277,20 @@ void vtkOpticsVolumeMapper::GetTextureToData(double matrix[16])
 }
 
 //------------------------------------------------------------------------------
+bool vtkOpticsVolumeMapper::FindVisibleBox(double box[6])
+{
+  float least[3], greatest[3];
+  this->GetTextureBox(least, greatest);
+  const bool isKnown = this->Terms->EmptySpace.FindVisibleBox(box);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box[2 * axis] = std::max<double>(box[2 * axis], least[axis]);
+    box[2 * axis + 1] = std::min<double>(box[2 * axis + 1], greatest[axis]);
+  }
+  return isKnown;
+}
+
+//------------------------------------------------------------------------------
 void vtkOpticsVolumeMapper::GetTextureBox(float least[3], float greatest[3])
 {
   vtkVolumeTexture* texture = this->AssembledInputs[0].Texture;

@@ -337,7 +337,7 @@ public:
 
   ///@{
   /**
-   * Whether rays skip what has no opacity. The picture does not change. Served by a grid of the scalars' ranges
+   * Whether rays and sweeps skip what has no opacity. The picture does not change. Served by a grid of the scalars' ranges
    * (vtkMacrocellGrid), found once for the scalars, and used only where enough of the volume is empty; scenes
    * that it does not support (docs/support.md) are drawn without. Default on.
    */
@@ -460,6 +460,7 @@ public:
   int GetNumberOfBlocks();
   vtkTextureObject* GetVolumeTexture();                  // of the block that is drawn next
   void GetTextureToData(double matrix[16]);              // of its coordinates, row by row
+  bool FindVisibleBox(double box[6]);                    // in those coordinates, where it is known
   void GetTextureBox(float least[3], float greatest[3]); // of the input's first and last point
 #endif
 

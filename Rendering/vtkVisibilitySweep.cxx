@@ -7,8 +7,10 @@
 #include "ParameterRange.h"
 #include "SweepGrid.h"
 #include "SweepProgram.h"
+#include "SweepRegions.h"
 #include "SweepTarget.h"
 
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -23,6 +25,17 @@ namespace
 {
 const char* const AlgorithmNames[] = { "DirectionSweep", "Disk", "DiskSolidAngle" };
 const int PartsOfSweep = 16; // between which a frame can be aborted
+
+double DrawnPart(const std::vector<SweepRectangle>& regions, const SweepGrid& grid)
+{
+  double drawn = 0.0;
+  for (const SweepRectangle& region : regions)
+  {
+    drawn +=
+      region.IsEmpty() ? 0.0 : 1.0 * (region.End[0] - region.Begin[0]) * (region.End[1] - region.Begin[1]);
+  }
+  return drawn / (1.0 * grid.GetSize()[0] * grid.GetSize()[1] * grid.GetSize()[2]);
+}
 }
 
 class vtkVisibilitySweep::Implementation
@@ -37,17 +50,19 @@ public:
     SweepGrid Grid;
     std::vector<std::pair<const void*, vtkMTimeType>> Times;
     vtkMTimeType Opacity;
+    std::vector<SweepRectangle> Regions;
 
     bool operator==(const Stamp& other) const
     {
       return this->Knobs == other.Knobs && this->Target == other.Target && this->Values == other.Values &&
-        this->Grid == other.Grid && this->Times == other.Times && this->Opacity == other.Opacity;
+        this->Grid == other.Grid && this->Times == other.Times && this->Opacity == other.Opacity &&
+        this->Regions == other.Regions;
     }
   };
 
   // False: the frame was given up in between.
-  bool DrawSlices(
-    vtkOpenGLRenderWindow* window, const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program);
+  bool DrawSlices(vtkOpenGLRenderWindow* window, const SweepGrid& grid,
+    const std::vector<SweepRectangle>& regions, SweepTarget& target, vtkShaderProgram* program);
 
   SweepProgram Program;
   SweepTarget Target;
@@ -59,8 +74,8 @@ public:
 };
 
 //------------------------------------------------------------------------------
-bool vtkVisibilitySweep::Implementation::DrawSlices(
-  vtkOpenGLRenderWindow* window, const SweepGrid& grid, SweepTarget& target, vtkShaderProgram* program)
+bool vtkVisibilitySweep::Implementation::DrawSlices(vtkOpenGLRenderWindow* window, const SweepGrid& grid,
+  const std::vector<SweepRectangle>& regions, SweepTarget& target, vtkShaderProgram* program)
 {
   const int slices = grid.GetSize()[2];
   const int slicesOfPart = (slices + PartsOfSweep - 1) / PartsOfSweep;
@@ -85,7 +100,7 @@ bool vtkVisibilitySweep::Implementation::DrawSlices(
     program->SetUniformf("in_sweepGeometryFront", slice > 0 ? static_cast<float>(depths[1]) : -VTK_FLOAT_MAX);
     program->SetUniformf("in_sweepWidth", static_cast<float>(grid.GetWidth(depth)));
     program->SetUniformf("in_sweepOtherWidth", static_cast<float>(grid.GetWidth(before)));
-    target.DrawSlice(slice, program);
+    target.DrawSlice(slice, regions[slice], program);
   }
   target.End();
   return isWanted;
@@ -191,6 +206,19 @@ bool vtkVisibilitySweep::Sweep(const Volume& volume, const SweepGrid& grid)
 }
 
 //------------------------------------------------------------------------------
+std::vector<SweepRectangle> vtkVisibilitySweep::FindRegions(const Volume& volume, const SweepGrid& grid)
+{
+  SweepContents contents = {};
+  std::copy(volume.Box, volume.Box + 24, contents.Corners);
+  contents.IsHiddenOutside = volume.Geometry != nullptr;
+  contents.LookAlong = volume.LookAlong;
+  contents.LookAside = volume.LookAside;
+  contents.Cone = { vtkMath::RadiansFromDegrees(this->ConeAngle), this->IsByDirection(),
+    this->ViewerDistance };
+  return volume.SkipsEmptySpace ? FindSweepRegions(grid, contents) : WholeSweep(grid);
+}
+
+//------------------------------------------------------------------------------
 bool vtkVisibilitySweep::FillBlock(const Volume& volume, const SweepGrid& grid)
 {
   SweepTarget& opacity = this->Internals->Opacity;
@@ -204,7 +232,7 @@ bool vtkVisibilitySweep::FillBlock(const Volume& volume, const SweepGrid& grid)
   {
     this->SetUniforms(volume, grid, program);
     program->SetUniformi("in_sweepBlock", volume.Block);
-    this->Internals->DrawSlices(volume.Window, grid, opacity, program);
+    this->Internals->DrawSlices(volume.Window, grid, WholeSweep(grid), opacity, program);
     this->Internals->OpacityTime.Modified();
   }
   volume.Window->GetShaderCache()->ReadyShaderProgram(volume.Ray);
@@ -216,7 +244,7 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
 {
   const Implementation::Stamp stamp = { this->GetMTime(), this->Internals->Target.GetTime(),
     this->Internals->Program.GetValues(), grid, volume.Times,
-    volume.IsInBlocks ? this->Internals->OpacityTime.GetMTime() : 0 };
+    volume.IsInBlocks ? this->Internals->OpacityTime.GetMTime() : 0, this->FindRegions(volume, grid) };
   if (stamp == this->Internals->Last)
   {
     return;
@@ -228,13 +256,15 @@ void vtkVisibilitySweep::Draw(const Volume& volume, const SweepGrid& grid, vtkSh
   {
     opacity.Bind("in_sweepOpacity", program);
   }
-  const bool isWhole = this->Internals->DrawSlices(volume.Window, grid, this->Internals->Target, program);
+  const bool isWhole =
+    this->Internals->DrawSlices(volume.Window, grid, stamp.Regions, this->Internals->Target, program);
   opacity.Unbind();
   if (volume.Geometry)
   {
     volume.Geometry->Deactivate();
   }
   this->SweepCount += isWhole ? 1 : 0;
+  this->DrawnFraction = DrawnPart(stamp.Regions, grid);
   this->Internals->Last = isWhole ? stamp : Implementation::Stamp();
 }
 
@@ -285,6 +315,7 @@ void vtkVisibilitySweep::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ViewerDistance: " << this->ViewerDistance << "\n";
   os << indent << "KeepDirections: " << (this->KeepDirections ? "on" : "off") << "\n";
   os << indent << "SweepCount: " << this->SweepCount << "\n";
+  os << indent << "DrawnFraction: " << this->DrawnFraction << "\n";
   os << indent << "GridSize: " << this->GridSize[0] << ' ' << this->GridSize[1] << ' ' << this->GridSize[2]
      << "\n";
 }

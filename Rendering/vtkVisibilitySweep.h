@@ -33,6 +33,7 @@
 #endif
 
 class SweepGrid;
+struct SweepRectangle;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
@@ -138,6 +139,9 @@ public:
   int GetProgramLinkCount();
   std::string GetFragmentShader();
 
+  /** Part of the froxels that the last sweep had to draw, in [0, 1]. */
+  vtkGetMacro(DrawnFraction, double);
+
   /** Froxels on the x and y axis, and slices, of the last grid. */
   vtkGetVector3Macro(GridSize, int);
 
@@ -155,6 +159,10 @@ public:
     bool IsInBlocks;           // of which one is loaded at a time: each is filled, then all are swept
     bool FillsBlock;
     int Block;                  // how many were filled before it in this frame
+    bool SkipsEmptySpace;       // what is outside of a box is not swept where that changes nothing
+    double Box[24];             // its corners in world coordinates: what hides, and who looks at the sweep
+    double LookAlong;           // from there; along the slices' normal, in view coordinates
+    double LookAside;           // and across, in places
     vtkTextureObject* Geometry; // depth of opaque geometry, over the window of the grid; null: none
     double GeometryRange[2];    // z in view coordinates of depths 0 and 1
     std::vector<std::pair<const void*, vtkMTimeType>> Times; // of what the textures are made of
@@ -188,6 +196,7 @@ private:
   void SetGeometry(const Volume& volume, const SweepGrid& grid, vtkShaderProgram* program);
   void SetDisk(vtkShaderProgram* program);
   bool FillBlock(const Volume& volume, const SweepGrid& grid);
+  std::vector<SweepRectangle> FindRegions(const Volume& volume, const SweepGrid& grid);
 
   double ConeAngle = 60.0;
   int Algorithm = DirectionSweep;
@@ -198,6 +207,7 @@ private:
   double ViewerDistance = 0.0;
   bool KeepDirections = false;
   int SweepCount = 0;
+  double DrawnFraction = 0.0;
   int GridSize[3] = { 0, 0, 0 };
 
   class Implementation;

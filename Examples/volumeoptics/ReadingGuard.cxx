@@ -18,6 +18,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <sstream>
 #include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
@@ -36,6 +38,14 @@ constexpr std::size_t SignalStackBytes = 64 * 1024;
 
 // The signals of a crash.
 constexpr std::array<int, 5> Crashes = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT };
+
+// A file may claim more than any integer holds.
+std::string WholeText(double number)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << number;
+  return text.str();
+}
 
 // Keeps the first error and warning in place of the terminal.
 class MessageKeeper : public vtkOutputWindow
@@ -144,14 +154,13 @@ void RequireGrid(const std::string& path, const int extent[6], double bytesOfPoi
       throw NotAGrid(path, "it has no voxels");
     }
     points *= length;
-    size += (axis > 0 ? " x " : "") + std::to_string(static_cast<long long>(length));
+    size += (axis > 0 ? " x " : "") + WholeText(length);
   }
   if (points * bytesOfPoint > MostBytes())
   {
     throw NotAGrid(path,
-      "its " + size + " voxels need " +
-        std::to_string(static_cast<long long>(points * bytesOfPoint / Mebibyte)) + " MiB, the limit is " +
-        std::to_string(static_cast<long long>(MostBytes() / Mebibyte)) + " MiB, half of the memory");
+      "its " + size + " voxels need " + WholeText(points * bytesOfPoint / Mebibyte) + " MiB, the limit is " +
+        WholeText(MostBytes() / Mebibyte) + " MiB, half of the memory");
   }
   const bool isPlaced =
     AreFinite(spacing, 3) && AreFinite(origin, 3) && (!direction || AreFinite(direction, 9));

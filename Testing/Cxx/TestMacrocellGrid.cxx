@@ -226,6 +226,16 @@ void CheckClassification(Check& check, const Field& field, bool emptyWhereConsta
   ForEachCell(grid, [&](const int cell[3]) { deep += Nearest(grid, isEmpty, cell) > 1 ? 1 : 0; });
   check.Near(
     "deep empty fraction", grid->GetDeepEmptyFraction(), static_cast<double>(deep) / isEmpty.size(), 1.0e-15);
+  int found[6] = { VTK_INT_MAX, -1, VTK_INT_MAX, -1, VTK_INT_MAX, -1 }, visibleExtent[6];
+  ForEachCell(grid, [&](const int cell[3]) {
+    for (int side = 0; side < 6 && grid->GetCellDistance(cell[0], cell[1], cell[2]) == 0; ++side)
+    {
+      found[side] =
+        side % 2 == 0 ? std::min(found[side], cell[side / 2]) : std::max(found[side], cell[side / 2]);
+    }
+  });
+  grid->GetVisibleExtent(visibleExtent);
+  check.That(std::equal(found, found + 6, visibleExtent), "extent of the cells that are not empty");
   ForEachCell(grid, [&](const int cell[3]) {
     check.That(
       grid->GetCellDistance(cell[0], cell[1], cell[2]) == Nearest(grid, isEmpty, cell), "a cell's distance");

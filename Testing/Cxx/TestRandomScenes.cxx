@@ -119,15 +119,19 @@ std::string FaultOfMessages(
   return std::string();
 }
 
-// Without a term the picture is VTK's own, for which nothing is promised; with some of them opacity is, which may be
-// above 1 where a function of VTK's is.
+// Without a term that shades the picture is VTK's own, for which nothing is promised.
+bool IsPictureOfVTK(const std::string& terms)
+{
+  return terms.empty() || terms == "EmptySpace" || terms == "Piece" || terms == "EmptySpace,Piece";
+}
+
+// Opacity may be above 1 where a function of VTK's is.
 std::string FaultOfPicture(RandomScene& scene, int frame, SceneOfVTK& ofVTK)
 {
   const std::string terms = scene.Optics->GetActiveTerms();
   const std::vector<float> picture = scene.RenderFloat();
   const bool mayBeNegative = scene.Mapper->GetFinalColorWindow() != 1.0F; // VTK's own
-  const std::string fault =
-    terms.empty() || terms == "EmptySpace" ? "" : FaultOfPixels(picture, mayBeNegative);
+  const std::string fault = IsPictureOfVTK(terms) ? "" : FaultOfPixels(picture, mayBeNegative);
   const bool isOfVTK = !fault.empty() && AreFinite(picture) && !ofVTK.GetFault(frame).empty();
   return fault.empty() || isOfVTK ? "" : fault + " (terms: " + terms + ")";
 }
