@@ -6,6 +6,8 @@
 #ifndef SkippingCost_h
 #define SkippingCost_h
 
+#include "vtkVolumeOpticsModule.h" // for export macro
+
 class VisibleScalars;
 class vtkMacrocellGrid;
 
@@ -23,7 +25,7 @@ struct SkippingTimes
  * on each axis, both ways, with two samples for each voxel, and end where the cells in front are opaque. voxelsPerUnit: in
  * the distance that the table's opacities are of; 0 where rays should be taken to go all through.
  */
-double EstimateSkipping(
+VTKVOLUMEOPTICS_EXPORT double EstimateSkipping(
   vtkMacrocellGrid* grid, const VisibleScalars& visible, double voxelsPerUnit, const SkippingTimes& times);
 
 #endif

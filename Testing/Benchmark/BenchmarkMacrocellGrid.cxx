@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Time of vtkMacrocellGrid: finding the ranges of a volume, and classifying them after a change of the transfer
-// function, the distances included; scalar types, sizes of cells, threads. CPU time is the process's.
+// function, the distances included, and estimating what skipping is worth; scalar types, sizes of cells, threads. CPU time is the process's.
 //
 //   BenchmarkMacrocellGrid [--size voxels] [Google Benchmark's options]
 
+#include "SkippingCost.h"
 #include "VisibleScalars.h"
 #include "vtkMacrocellGrid.h"
 
@@ -85,6 +86,24 @@ void Classify(benchmark::State& state, Case c, vtkDataArray* scalars)
   state.counters["empty"] = grid->GetEmptyFraction();
 }
 
+// What half of the cells see through, so that rays are long.
+void Estimate(benchmark::State& state, Case c, vtkDataArray* scalars)
+{
+  vtkNew<vtkMacrocellGrid> grid;
+  SetUp(grid, scalars, c);
+  grid->Update();
+  std::vector<float> table(1024, 0.0F);
+  std::fill(table.begin() + 512, table.end(), 0.001F);
+  const double range[2] = { 0.0, 100.0 };
+  const VisibleScalars visible(table, range, VisibleScalars::Ends::Edges);
+  grid->Classify(visible, visible);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(EstimateSkipping(grid, visible, 1.0, { 1.2, 0.27, 2.4, 0.18 }));
+  }
+  state.counters["empty"] = grid->GetEmptyFraction();
+}
+
 void Register(const std::string& name, void (*function)(benchmark::State&, Case, vtkDataArray*),
   const Case& c, vtkDataArray* scalars)
 {
@@ -116,6 +135,7 @@ int main(int argc, char* argv[])
         Register("Ranges", FindRanges, { type, cellSize, threads }, volumes.back());
         Register("Classify", Classify, { type, cellSize, threads }, volumes.back());
       }
+      Register("Estimate", Estimate, { type, cellSize, 1 }, volumes.back());
     }
   }
   benchmark::RunSpecifiedBenchmarks();
