@@ -292,6 +292,17 @@ void CheckPart(Check& check)
   check.AtMost("part that is drawn of a fog", DrawnFraction(fog, true), 0.75);
   check.AtMost("part that is drawn of a ball", DrawnFraction(ClearFog, true), 0.5);
 }
+
+// What was left out is swept when it is asked for.
+void CheckChange(Check& check)
+{
+  TestScene scene;
+  const std::vector<float> part = Draw(scene, Turn, true); // a fog: the shader stays
+  scene.Optics->SkipEmptySpaceOff();
+  check.That(scene.RenderFloat() == part, "after a change: another picture");
+  check.Near(
+    "part that is drawn, after a change", scene.Optics->GetOcclusionSweep()->GetDrawnFraction(), 1.0, 0.0);
+}
 }
 
 int TestSweepRegions(int, char*[])
@@ -302,5 +313,6 @@ int TestSweepRegions(int, char*[])
     CheckCase(check, each);
   }
   CheckPart(check);
+  CheckChange(check);
   return check.ExitCode();
 }
