@@ -121,6 +121,7 @@ set(rendering_sources
   ProjectedTetrahedraTarget
   RayUniforms
   ReflectanceTerm
+  ScalarCoordinates
   ScalarPair
   SceneNeeds
   ShadowAtlas
@@ -139,6 +140,8 @@ set(rendering_sources
   TransferFunctionStretches
   TransferFunctionTerm
   TransferFunctionTexture
+  VisibleGradients
+  VisibleIn2D
   VisibleInScene
   VisibleScalars
   vtkLightingTransferFunctionItemEvents

@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: VolumeOptics contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Cells that a gradient opacity or the rows of a 2D transfer function hide are skipped, and no byte changes: every
+// scalar can be seen, and large gradients alone are. Arguments: --2d (functions of two dimensions), --rows-0 to --rows-2
+// (those of docs/support.md), --models.
+
+#include "SkippingScene.h"
+
+#include "vtkPointData.h"
+
+#include <random>
+
+namespace
+{
+using FieldFunction = std::function<double(const double[3])>; // in [0, 1], of a place in [-1, 1]
+
+struct GradientField
+{
+  const char* Name;
+  FieldFunction At;
+};
+
+double Noise(double amplitude)
+{
+  static std::mt19937 random(5);
+  return amplitude * (random() / 4294967296.0 - 0.5);
+}
+
+// Gradients that grow from voxel to voxel in a corner, with noise, between homogeneous blocks, and at the border alone.
+const GradientField Fields[] = {
+  { "corner",
+    [](const double place[3]) { return std::pow(std::max(place[0] - place[1] + place[2], 0.0) / 3.0, 2.0); } },
+  { "noise", [](const double place[3]) { return 0.5 + Noise(std::max(0.9 * (place[0] - 0.3), 0.0)); } },
+  { "blocks",
+    [](const double place[3]) { return place[0] > 0.4 ? 0.2 : place[1] > 0.4 && place[2] > 0.0 ? 0.8 : 0.5; } },
+  { "border", [](const double place[3]) { return std::max(place[2] - 0.5, 0.0) + 0.3 + Noise(0.01); } },
+};
+
+// Codes fill a part of their type.
+vtkSmartPointer<vtkImageData> MakeImage(
+  const GradientField& field, int type, const std::vector<int>& size, double depth = 1.0)
+{
+  const bool isByte = type == VTK_UNSIGNED_CHAR || type == VTK_SIGNED_CHAR;
+  const double scale = isByte ? 120.0 : type == VTK_FLOAT ? 1.0 : 20000.0;
+  const double offset = type == VTK_SIGNED_CHAR ? -60.0 : type == VTK_SHORT ? -9000.0 : 0.0;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size[0], size[1], size[2]);
+  image->SetSpacing(2.0 / (size[0] - 1), 2.0 / (size[1] - 1), depth * 2.0 / (size[2] - 1));
+  image->SetOrigin(-1.0, -1.0, -depth);
+  image->AllocateScalars(type, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    image->GetPoint(i, place);
+    place[2] /= depth;
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, offset + scale * field.At(place));
+  }
+  return image;
+}
+
+void FindRange(TestScene& scene, double range[2])
+{
+  scene.Mapper->GetInputAlgorithm()->Update();
+  vtkDataSet* data = scene.Mapper->GetDataSetInput();
+  vtkDataArray* ofPoints = data->GetPointData()->GetScalars();
+  (ofPoints ? ofPoints : data->GetCellData()->GetScalars())->GetFiniteRange(range);
+}
+
+void ShowEveryScalar(TestScene& scene)
+{
+  double range[2];
+  FindRange(scene, range);
+  scene.Opacity->RemoveAllPoints();
+  scene.Opacity->AddPoint(range[0], 0.1);
+  scene.Opacity->AddPoint(range[1], 0.2);
+  scene.Color->RemoveAllPoints();
+  scene.Color->AddRGBPoint(range[0], 0.2, 0.3, 0.8);
+  scene.Color->AddRGBPoint(range[1], 0.9, 0.7, 0.5);
+}
+
+// Nothing below a magnitude in [0, 1], all from a little above it on.
+void HideGradientsBelow(TestScene& scene, double magnitude)
+{
+  double range[2];
+  FindRange(scene, range);
+  const double one = 0.25 * (range[1] - range[0]);
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 0.0);
+  function->AddPoint(magnitude * one, 0.0);
+  function->AddPoint((magnitude + 0.004) * one, 1.0);
+  scene.Property->SetGradientOpacity(function);
+  ShowEveryScalar(scene);
+}
+
+void UseImage(TestScene& scene, vtkImageData* image)
+{
+  scene.Mapper->SetInputData(image);
+  scene.Renderer->ResetCamera();
+  ShowEveryScalar(scene);
+}
+
+// The magnitude below which this part of the voxels is; VTK's measure, but for the fraction that it looks beyond a voxel.
+double FindMagnitude(vtkImageData* image, double part)
+{
+  double range[2];
+  image->GetScalarRange(range);
+  const int* size = image->GetDimensions();
+  const double* spacing = image->GetSpacing();
+  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  std::vector<double> magnitudes;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const int voxel[3] = { static_cast<int>(i % size[0]), static_cast<int>(i / size[0] % size[1]),
+      static_cast<int>(i / size[0] / size[1]) };
+    double square = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      int front[3] = { voxel[0], voxel[1], voxel[2] }, back[3] = { voxel[0], voxel[1], voxel[2] };
+      front[axis] = std::min(voxel[axis] + 1, size[axis] - 1);
+      back[axis] = std::max(voxel[axis] - 1, 0);
+      const double difference = image->GetScalarComponentAsDouble(front[0], front[1], front[2], 0) -
+        image->GetScalarComponentAsDouble(back[0], back[1], back[2], 0);
+      square += std::pow(difference * mean / (2.0 * spacing[axis]), 2.0);
+    }
+    magnitudes.push_back(std::sqrt(square) / (0.25 * (range[1] - range[0])));
+  }
+  const auto wanted = magnitudes.begin() + static_cast<std::ptrdiff_t>(part * magnitudes.size());
+  std::nth_element(magnitudes.begin(), wanted, magnitudes.end());
+  return std::min(*wanted, 0.85);
+}
+
+// Nothing is compared but the background where all is hidden.
+void CheckSeen(Check& check, const std::string& name, const Setting& apply)
+{
+  SkippingScene scene;
+  apply(scene);
+  const std::vector<unsigned char> seen = scene.Render();
+  scene.Volume->VisibilityOff();
+  check.AtLeast(name + ": what is seen", LargestDifference(seen, scene.Render()), 20);
+}
+
+const double HiddenPart = 0.9; // of the voxels
+
+const int Types[] = { VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_FLOAT };
+
+// Each of the types with another field and shape; one in cells of 2^3 voxels.
+void TestFields(Check& check)
+{
+  const std::vector<int> sizes[] = { { 32, 32, 32 }, { 40, 23, 19 }, { 17, 30, 33 } };
+  int kind = 0;
+  for (const GradientField& field : Fields)
+  {
+    for (const int type : Types)
+    {
+      const std::vector<int>& size = sizes[kind % 3];
+      const double depth = kind % 2 == 0 ? 1.0 : 0.4;
+      const vtkSmartPointer<vtkImageData> image = MakeImage(field, type, size, depth);
+      const std::string name = std::string(field.Name) + " of " + vtkImageScalarTypeNameMacro(type);
+      const auto apply = [&](TestScene& scene) {
+        UseImage(scene, image);
+        HideGradientsBelow(scene, FindMagnitude(image, HiddenPart));
+        scene.Optics->SetMacrocellSize(2);
+      };
+      CompareWithVTK(check, name, apply);
+      CheckSeen(check, name, apply);
+      ++kind;
+    }
+  }
+}
+
+// Rows from the first on are seen, of the columns in the middle; a small function is one that VTK enlarges.
+void Use2D(TestScene& scene, int columns, int rows, double magnitude)
+{
+  vtkNew<vtkImageData> function;
+  function->SetDimensions(columns, rows, 1);
+  function->AllocateScalars(VTK_FLOAT, 4);
+  for (int texel = 0; texel < columns * rows; ++texel)
+  {
+    const int x = texel % columns, y = texel / columns;
+    const bool isSeen = y >= magnitude * rows && (x > columns / 8 || rows == 1);
+    const float color[4] = { 0.9F, x * 1.0F / columns, 0.3F, isSeen ? 0.2F : 0.0F };
+    std::copy(color, color + 4, static_cast<float*>(function->GetScalarPointer(x, y, 0)));
+  }
+  scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  scene.Property->SetTransferFunction2D(function);
+}
+
+// Enlarged by VTK with overshoot, taken as they are, enlarged on one axis, and one that has a single row.
+void TestFunctions2D(Check& check)
+{
+  const std::vector<int> sizes[] = { { 256, 256 }, { 1024, 1024 }, { 64, 2048 }, { 300, 33 }, { 64, 1 } };
+  int kind = 0;
+  for (const std::vector<int>& size : sizes)
+  {
+    for (const GradientField& field : Fields)
+    {
+      const int type = Types[kind++ % std::size(Types)];
+      const vtkSmartPointer<vtkImageData> image = MakeImage(field, type, { 32, 20, 32 });
+      const std::string name = std::string(field.Name) + " by " + std::to_string(size[0]) + " x " +
+        std::to_string(size[1]) + " texels";
+      const auto apply = [&](TestScene& scene) {
+        UseImage(scene, image);
+        Use2D(scene, size[0], size[1], size[1] > 1 ? FindMagnitude(image, HiddenPart) + 1.0 / size[1] : 0.0);
+        scene.Optics->SetMacrocellSize(2);
+      };
+      CompareWithVTK(check, name, apply, size[1] > 1);
+      CheckSeen(check, name, apply);
+    }
+  }
+}
+
+// What a row makes of the ellipsoid, whose inside and outside are hidden.
+void UseRow(TestScene& scene, const Row& row)
+{
+  row.Apply(scene);
+  HideGradientsBelow(scene, 0.3);
+}
+
+void TestRows(Check& check, std::size_t third)
+{
+  const std::set<std::string> several = { "luminance and opacity", "colour and opacity" };
+  for (std::size_t i = third; i < std::size(Rows); i += 3)
+  {
+    const Row& row = Rows[i];
+    const bool isServed = IsSkippedIn(row) && several.count(row.Name) == 0;
+    CompareWithVTK(check, row.Name, [&](TestScene& scene) { UseRow(scene, row); }, isServed);
+  }
+}
+
+// Models whose own gradients are those of the extinction; what isn't seen is not lit.
+void TestModels(Check& check)
+{
+  using Property = vtkOpticsVolumeProperty;
+  const vtkSmartPointer<vtkImageData> image = MakeImage(Fields[0], VTK_FLOAT, { 30, 32, 28 }, 0.7);
+  const auto use1D = [&](TestScene& scene) {
+    UseImage(scene, image);
+    HideGradientsBelow(scene, FindMagnitude(image, HiddenPart));
+  };
+  const auto use2D = [&](TestScene& scene) {
+    UseImage(scene, image);
+    Use2D(scene, 256, 256, FindMagnitude(image, HiddenPart));
+  };
+  for (const int model : { Property::BlinnPhong, Property::Ward })
+  {
+    const auto useModel = [=](TestScene& scene) {
+      scene.Property->SetReflectanceModel(model);
+      scene.Property->SetSpecular(0.7);
+    };
+    const std::string name = ", model " + std::to_string(model);
+    CompareWithout(check, "1D" + name, [&](TestScene& scene) { use1D(scene), useModel(scene); });
+    CompareWithout(check, "2D" + name, [&](TestScene& scene) { use2D(scene), useModel(scene); });
+  }
+  CompareInFloat(check, "Ward", [&](TestScene& scene) {
+    use1D(scene);
+    UseWard(scene);
+  });
+  CompareInFloat(check, "occlusion and shadows", [&](TestScene& scene) {
+    use1D(scene);
+    scene.Property->OcclusionOn();
+    scene.Property->ShadowsOn();
+  });
+}
+
+void TestRowsOfWard(Check& check)
+{
+  const std::set<std::string> rows = { "cropping", "clipping planes", "blanked points", "cell data",
+    "direction matrix" };
+  for (const Row& row : Rows)
+  {
+    if (rows.count(row.Name) != 0)
+    {
+      CompareWithout(check, std::string(row.Name) + ", Ward", [&](TestScene& scene) {
+        UseRow(scene, row);
+        UseWard(scene);
+      });
+    }
+  }
+}
+
+// Where the largest magnitude among voxels tells nothing, cells are those of the scalars alone, of which all are seen.
+void TestLeftOut(Check& check)
+{
+  const auto compare = [&](const std::string& name, const Setting& change) {
+    CompareWithVTK(
+      check, name,
+      [&](TestScene& scene) {
+        HideGradientsBelow(scene, 0.3);
+        change(scene);
+      },
+      false);
+  };
+  compare("nearest neighbour", [](TestScene& scene) { scene.Property->SetInterpolationTypeToNearest(); });
+  compare("clipped voxels have a value", [](TestScene& scene) { scene.Property->UseClippedVoxelIntensityOn(); });
+  compare("gradient opacity disabled", [](TestScene& scene) { scene.Property->DisableGradientOpacityOn(); });
+  // which VTK gives two points when it draws
+  CompareWithVTK(check, "an empty function", [](TestScene& scene) {
+    HideGradientsBelow(scene, 0.3);
+    scene.Property->GetGradientOpacity()->RemoveAllPoints();
+  });
+  compare("all gradients are seen", [](TestScene& scene) { scene.Property->GetGradientOpacity()->AddPoint(0.0, 0.01); });
+}
+
+// Voxels that are no numbers, and numbers of few digits.
+void TestOddities(Check& check)
+{
+  const auto compare = [&](const std::string& name, const std::function<double(vtkIdType, double)>& change) {
+    const vtkSmartPointer<vtkImageData> image = MakeImage(Fields[0], VTK_FLOAT, { 32, 32, 32 });
+    vtkDataArray* values = image->GetPointData()->GetScalars();
+    const double magnitude = FindMagnitude(image, HiddenPart);
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      values->SetComponent(i, 0, change(i, values->GetComponent(i, 0)));
+    }
+    values->Modified(); // and with it the range
+    CompareWithVTK(check, name, [&](TestScene& scene) {
+      UseImage(scene, image);
+      HideGradientsBelow(scene, magnitude);
+    });
+  };
+  const double oddities[] = { std::nan(""), std::numeric_limits<double>::infinity() };
+  for (const double odd : oddities)
+  {
+    compare(std::to_string(odd), [=](vtkIdType i, double value) { return i % 4999 == 0 ? odd : value; });
+  }
+  compare("an offset", [](vtkIdType, double value) { return 1.0e4 + value; });
+  compare("small numbers", [](vtkIdType, double value) { return 1.0e-10 * value; });
+  compare("large numbers", [](vtkIdType, double value) { return 1.0e10 * value; });
+}
+}
+
+int TestEmptySpaceGradients(int argc, char* argv[])
+{
+  Check check;
+  const auto has = [&](const char* argument) {
+    return std::any_of(argv, argv + argc, [&](char* word) { return std::string(word) == argument; });
+  };
+  if (has("--2d"))
+  {
+    TestFunctions2D(check);
+  }
+  else if (has("--rows-0") || has("--rows-1") || has("--rows-2"))
+  {
+    TestRows(check, has("--rows-0") ? 0 : has("--rows-1") ? 1 : 2);
+  }
+  else if (has("--models"))
+  {
+    TestModels(check);
+  }
+  else if (has("--ward"))
+  {
+    TestRowsOfWard(check);
+  }
+  else
+  {
+    TestFields(check);
+    TestLeftOut(check);
+    TestOddities(check);
+  }
+  return check.ExitCode();
+}
