@@ -29,7 +29,8 @@ class MacrocellGradients
 {
 public:
   // scale: magnitude of a difference of 1 between the two neighbours on each axis.
-  MacrocellGradients(const Scalar* scalars, int stride, const MacrocellLattice& lattice, const double scale[3])
+  MacrocellGradients(
+    const Scalar* scalars, int stride, const MacrocellLattice& lattice, const double scale[3])
     : Scalars(scalars)
     , Stride(stride)
     , Lattice(lattice)
@@ -168,9 +169,10 @@ private:
     }
   }
 
-  static constexpr double TextureFraction = 1.0 / 256.0; // of a voxel, the coarsest that OpenGL's drivers round to
-  static constexpr double FilterRounding = 3.0;          // codes, of three interpolations in whole codes
-  static constexpr float AllAxes = 1.7320509F;           // root of 3
+  static constexpr double TextureFraction =
+    1.0 / 256.0;                                // of a voxel, the coarsest that OpenGL's drivers round to
+  static constexpr double FilterRounding = 3.0; // codes, of three interpolations in whole codes
+  static constexpr float AllAxes = 1.7320509F;  // root of 3
 
   const Scalar* Scalars;
   int Stride;

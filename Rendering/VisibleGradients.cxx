@@ -37,8 +37,9 @@ bool IsSeenByGradients(const OpticsScene& scene)
   double scale[3];
   FindGradientScale(scene, scale);
   return hasFunction && !ReplacesIntegral(scene) && *std::min_element(scale, scale + 3) > 0.0 &&
-    property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION && !property->GetUseClippedVoxelIntensity() &&
-    scene.Scalars->GetNumberOfComponents() == 1 && !scene.Mapper->GetTransfer2DYAxisArray();
+    property->GetInterpolationType() == VTK_LINEAR_INTERPOLATION &&
+    !property->GetUseClippedVoxelIntensity() && scene.Scalars->GetNumberOfComponents() == 1 &&
+    !scene.Mapper->GetTransfer2DYAxisArray();
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +83,8 @@ std::vector<float> MakeGradientTable(const OpticsScene& scene)
 //------------------------------------------------------------------------------
 double FindLeastGradient(const OpticsScene& scene, const std::vector<float>& table)
 {
-  const auto seen = std::find_if_not(table.begin(), table.end(), [](float opacity) { return opacity <= 0.0F; });
+  const auto seen =
+    std::find_if_not(table.begin(), table.end(), [](float opacity) { return opacity <= 0.0F; });
   if (seen == table.end())
   {
     return std::numeric_limits<double>::infinity();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Time of vtkMacrocellGrid: finding the ranges of a volume, and classifying them after a change of the transfer
+// Time of vtkMacrocellGrid: finding the ranges of a volume and its gradients, and classifying them after a change of the transfer
 // function, the distances included; scalar types, sizes of cells, threads. CPU time is the process's.
 //
 //   BenchmarkMacrocellGrid [--size voxels] [Google Benchmark's options]
@@ -23,6 +23,7 @@
 namespace
 {
 int Size = 512;
+const double GradientScale[3] = { 0.05, 0.05, 0.05 };
 
 struct Case
 {
@@ -69,6 +70,22 @@ void FindRanges(benchmark::State& state, Case c, vtkDataArray* scalars)
   state.counters["MiB"] = static_cast<double>(grid->GetMemorySize()) / 1048576.0;
 }
 
+void FindGradients(benchmark::State& state, Case c, vtkDataArray* scalars)
+{
+  vtkNew<vtkMacrocellGrid> grid;
+  SetUp(grid, scalars, c);
+  grid->SetGradientScale(GradientScale);
+  for (auto _ : state)
+  {
+    state.PauseTiming();
+    grid->Modified();
+    grid->Update();
+    state.ResumeTiming();
+    grid->UpdateGradients();
+  }
+  state.counters["MiB"] = static_cast<double>(grid->GetMemorySize()) / 1048576.0;
+}
+
 void Classify(benchmark::State& state, Case c, vtkDataArray* scalars)
 {
   vtkNew<vtkMacrocellGrid> grid;
@@ -80,6 +97,24 @@ void Classify(benchmark::State& state, Case c, vtkDataArray* scalars)
   for (auto _ : state)
   {
     const VisibleScalars visible(table, range, VisibleScalars::Ends::Edges);
+    grid->Classify(visible, visible);
+  }
+  state.counters["empty"] = grid->GetEmptyFraction();
+}
+
+// Every scalar is seen, and steep places alone.
+void ClassifyGradients(benchmark::State& state, Case c, vtkDataArray* scalars)
+{
+  vtkNew<vtkMacrocellGrid> grid;
+  SetUp(grid, scalars, c);
+  grid->SetGradientScale(GradientScale);
+  grid->Update();
+  grid->UpdateGradients();
+  const std::vector<float> table(1024, 0.5F), least(1024, 0.3F);
+  const double range[2] = { 0.0, 100.0 };
+  for (auto _ : state)
+  {
+    const VisibleScalars visible(table, range, VisibleScalars::Ends::Edges, least);
     grid->Classify(visible, visible);
   }
   state.counters["empty"] = grid->GetEmptyFraction();
@@ -114,6 +149,8 @@ int main(int argc, char* argv[])
       for (const int threads : { 1, 2 })
       {
         Register("Ranges", FindRanges, { type, cellSize, threads }, volumes.back());
+        Register("Gradients", FindGradients, { type, cellSize, threads }, volumes.back());
+        Register("ClassifyGradients", ClassifyGradients, { type, cellSize, threads }, volumes.back());
         Register("Classify", Classify, { type, cellSize, threads }, volumes.back());
       }
     }

@@ -30,10 +30,13 @@ double Noise(double amplitude)
 // Gradients that grow from voxel to voxel in a corner, with noise, between homogeneous blocks, and at the border alone.
 const GradientField Fields[] = {
   { "corner",
-    [](const double place[3]) { return std::pow(std::max(place[0] - place[1] + place[2], 0.0) / 3.0, 2.0); } },
+    [](
+      const double place[3]) { return std::pow(std::max(place[0] - place[1] + place[2], 0.0) / 3.0, 2.0); } },
   { "noise", [](const double place[3]) { return 0.5 + Noise(std::max(0.9 * (place[0] - 0.3), 0.0)); } },
   { "blocks",
-    [](const double place[3]) { return place[0] > 0.4 ? 0.2 : place[1] > 0.4 && place[2] > 0.0 ? 0.8 : 0.5; } },
+    [](const double place[3]) {
+      return place[0] > 0.4 ? 0.2 : place[1] > 0.4 && place[2] > 0.0 ? 0.8 : 0.5;
+    } },
   { "border", [](const double place[3]) { return std::max(place[2] - 0.5, 0.0) + 0.3 + Noise(0.01); } },
 };
 
@@ -210,6 +213,68 @@ void TestFunctions2D(Check& check)
   }
 }
 
+// One texel of a small function: VTK's resizing rings on both sides of its column.
+void TestNarrowFunction(Check& check)
+{
+  const GradientField ramp = { "ramp", [](const double place[3]) { return 0.5 + 0.5 * place[0]; } };
+  const vtkSmartPointer<vtkImageData> image = MakeImage(ramp, VTK_FLOAT, { 64, 16, 16 });
+  const int row = static_cast<int>(64.0 * FindMagnitude(image, 0.5));
+  for (const int rows : { 64, 1 })
+  {
+    const auto apply = [&](TestScene& scene) {
+      UseImage(scene, image);
+      scene.Optics->SetMacrocellSize(2);
+      vtkNew<vtkImageData> function;
+      function->SetDimensions(64, rows, 1);
+      function->AllocateScalars(VTK_FLOAT, 4);
+      for (int texel = 0; texel < 64 * rows; ++texel)
+      {
+        const int x = texel % 64, y = texel / 64;
+        const bool isSeen = x == 24 && (y == row || rows == 1);
+        const float color[4] = { 0.9F, 0.5F, 0.3F, isSeen ? 50.0F : 0.0F };
+        std::copy(color, color + 4, static_cast<float*>(function->GetScalarPointer(x, y, 0)));
+      }
+      scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+      scene.Property->SetTransferFunction2D(function);
+    };
+    CompareWithVTK(check, "one column of " + std::to_string(rows) + " rows", apply);
+    CheckSeen(check, "one column of " + std::to_string(rows) + " rows", apply);
+  }
+}
+
+// Few codes of 8 bits, between which a texture may interpolate in whole codes: larger gradients than any voxel's.
+void TestFewCodes(Check& check)
+{
+  const GradientField waves = { "waves", [](const double place[3]) {
+                                 const double wave = std::sin(5.0 * place[0]) * std::sin(4.0 * place[1]) *
+                                   std::sin(7.0 * place[2]);
+                                 return place[0] > 0.3 ? 0.04 + 0.04 * wave : 0.04;
+                               } };
+  const vtkSmartPointer<vtkImageData> image = MakeImage(waves, VTK_UNSIGNED_CHAR, { 40, 33, 36 });
+  const auto apply = [&](TestScene& scene) {
+    UseImage(scene, image);
+    HideGradientsBelow(scene, FindMagnitude(image, 0.99));
+    scene.Optics->SetMacrocellSize(2);
+  };
+  CompareWithVTK(check, "few codes", apply);
+  CheckSeen(check, "few codes", apply);
+}
+
+// Six voxels on an axis: VTK looks 1.2 of them to both sides, and finds a fifth more than their difference.
+void TestFewVoxels(Check& check)
+{
+  const GradientField ramp = { "ramp",
+    [](const double place[3]) { return place[1] > 0.2 ? 0.5 + 0.3 * place[0] : 0.5; } };
+  const vtkSmartPointer<vtkImageData> image = MakeImage(ramp, VTK_FLOAT, { 6, 32, 32 });
+  const double* spacing = image->GetSpacing();
+  const double mean = (spacing[0] + spacing[1] + spacing[2]) / 3.0;
+  CompareWithVTK(check, "few voxels", [&](TestScene& scene) {
+    UseImage(scene, image);
+    // a half difference of 0.3 times the spacing, over a quarter of the range of 0.6
+    HideGradientsBelow(scene, 1.1 * 0.3 * mean / (0.25 * 0.6));
+  });
+}
+
 // What a row makes of the ellipsoid, whose inside and outside are hidden.
 void UseRow(TestScene& scene, const Row& row)
 {
@@ -224,7 +289,8 @@ void TestRows(Check& check, std::size_t third)
   {
     const Row& row = Rows[i];
     const bool isServed = IsSkippedIn(row) && several.count(row.Name) == 0;
-    CompareWithVTK(check, row.Name, [&](TestScene& scene) { UseRow(scene, row); }, isServed);
+    CompareWithVTK(
+      check, row.Name, [&](TestScene& scene) { UseRow(scene, row); }, isServed);
   }
 }
 
@@ -291,14 +357,16 @@ void TestLeftOut(Check& check)
       false);
   };
   compare("nearest neighbour", [](TestScene& scene) { scene.Property->SetInterpolationTypeToNearest(); });
-  compare("clipped voxels have a value", [](TestScene& scene) { scene.Property->UseClippedVoxelIntensityOn(); });
+  compare(
+    "clipped voxels have a value", [](TestScene& scene) { scene.Property->UseClippedVoxelIntensityOn(); });
   compare("gradient opacity disabled", [](TestScene& scene) { scene.Property->DisableGradientOpacityOn(); });
   // which VTK gives two points when it draws
   CompareWithVTK(check, "an empty function", [](TestScene& scene) {
     HideGradientsBelow(scene, 0.3);
     scene.Property->GetGradientOpacity()->RemoveAllPoints();
   });
-  compare("all gradients are seen", [](TestScene& scene) { scene.Property->GetGradientOpacity()->AddPoint(0.0, 0.01); });
+  compare("all gradients are seen",
+    [](TestScene& scene) { scene.Property->GetGradientOpacity()->AddPoint(0.0, 0.01); });
 }
 
 // Voxels that are no numbers, and numbers of few digits.
@@ -338,6 +406,7 @@ int TestEmptySpaceGradients(int argc, char* argv[])
   if (has("--2d"))
   {
     TestFunctions2D(check);
+    TestNarrowFunction(check);
   }
   else if (has("--rows-0") || has("--rows-1") || has("--rows-2"))
   {
@@ -354,6 +423,8 @@ int TestEmptySpaceGradients(int argc, char* argv[])
   else
   {
     TestFields(check);
+    TestFewCodes(check);
+    TestFewVoxels(check);
     TestLeftOut(check);
     TestOddities(check);
   }

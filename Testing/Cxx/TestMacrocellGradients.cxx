@@ -154,7 +154,8 @@ double BoundOfCell(const Field& field, const int cell[3], int cellSize)
       int front[3] = { voxel[0], voxel[1], voxel[2] }, back[3] = { voxel[0], voxel[1], voxel[2] };
       front[axis] = inside(voxel[axis] + 1, axis);
       back[axis] = inside(voxel[axis] - 1, axis);
-      const double here = field.At(voxel[0], voxel[1], voxel[2]), ahead = field.At(front[0], front[1], front[2]),
+      const double here = field.At(voxel[0], voxel[1], voxel[2]),
+                   ahead = field.At(front[0], front[1], front[2]),
                    behind = field.At(back[0], back[1], back[2]);
       const double excess = 2.0 * Scale[axis] * (1.0 / (field.Size[axis] - 1.0) + 1.0 / 256.0);
       square += std::pow(Scale[axis] * (ahead - behind), 2.0);
@@ -187,7 +188,8 @@ void TestFields(Check& check)
   const auto noise = [&](int, int, int) { return random() / 4294967296.0; };
   const auto bowl = [](int x, int y, int z) { return 0.002 * (x * x + 2 * y * y + 3 * z * z); };
   const auto ramp = [](int x, int, int) { return 0.3 * x; };
-  for (const std::vector<int>& size : std::vector<std::vector<int>>{ { 9, 14, 7 }, { 2, 3, 4 }, { 16, 5, 12 } })
+  for (const std::vector<int>& size :
+    std::vector<std::vector<int>>{ { 9, 14, 7 }, { 2, 3, 4 }, { 16, 5, 12 } })
   {
     for (const int cellSize : { 2, 4 })
     {
@@ -202,7 +204,8 @@ void TestFields(Check& check)
 // One code more behind a plane, far from the next plane: magnitudes are much below 1 by another scale.
 void TestCodes(Check& check)
 {
-  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_LONG })
+  for (const int type :
+    { VTK_UNSIGNED_CHAR, VTK_SIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_INT, VTK_LONG })
   {
     const Field field(type, { 20, 20, 20 }, [](int x, int, int) { return x > 9 ? 7.0 : 3.0; });
     const double fine[3] = { 0.01, 0.01, 0.01 };
@@ -218,7 +221,8 @@ void TestCodes(Check& check)
 // Where a voxel is no number, and where one can't tell, any magnitude is possible.
 void TestUnknown(Check& check)
 {
-  for (const double odd : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  for (const double odd :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
   {
     Field field(VTK_FLOAT, { 16, 16, 16 }, [](int, int, int) { return 0.5; });
     field.Scalars->SetComponent((6 * 16 + 6) * 16 + 6, 0, odd);
