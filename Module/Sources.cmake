@@ -93,6 +93,7 @@ set(rendering_sources
   LightingTableTexture
   LightingTransferFunctionTerm
   MacrocellDistances
+  MacrocellGradients
   LineAtlas
   LineEvaluation
   LineTextures

@@ -13,6 +13,7 @@
 #include "MacrocellRanges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -23,6 +24,16 @@ inline float UpToOne(float value)
 {
   return value < 1.0F ? value : 1.0F;
 }
+
+// Scaled: squares of the central differences of a row of voxels, and the largest step to a neighbour. rows: the voxels
+// themselves, with one more at both ends, those before and behind them on y, and those on z. One thing in each loop, of
+// few arrays: so compilers take several voxels at once.
+void FindGradientSquares(
+  const float* const rows[5], int size, const std::array<float, 3>& scale, float* squares);
+void FindLargestSteps(const float* const rows[5], int size, const std::array<float, 3>& scale, float* steps);
+
+/** Each the larger of both. */
+void EnlargeBounds(float* largest, const float* values, int size);
 
 template <typename Scalar>
 class MacrocellGradients
@@ -48,31 +59,31 @@ public:
 
   std::vector<float> Find(int layer) const
   {
-    const std::size_t size = static_cast<std::size_t>(this->Lattice.CellsOn(0)) * this->Lattice.CellsOn(1);
-    Row cells(size);
+    const int width = this->Lattice.Dimensions[0];
+    Bounds slabs(static_cast<std::size_t>(width) * this->Lattice.CellsOn(1)), row(width);
     const int begin = this->Lattice.FirstVoxel(layer), end = this->Lattice.EndVoxel(layer, 2);
-    std::vector<float> below = this->Plane(begin - 1), here = this->Plane(begin), above;
+    std::vector<float> below, here, above;
+    this->FillPlane(begin - 1, below);
+    this->FillPlane(begin, here);
     for (int z = begin; z < end; ++z)
     {
-      above = this->Plane(z + 1);
+      this->FillPlane(z + 1, above);
       for (int y = 0; y < this->Lattice.Dimensions[1]; ++y)
       {
-        this->Join(y, this->Reduce(y, below, here, above), cells);
+        this->Differentiate(y, below, here, above, row);
+        this->Join(y, row, slabs);
       }
       below.swap(here);
       here.swap(above);
     }
-    std::vector<float> magnitudes(size);
-    std::transform(cells.Squares.begin(), cells.Squares.end(), cells.Steps.begin(), magnitudes.begin(),
-      [this](float square, float step) { return this->Magnitude(square, step); });
-    return magnitudes;
+    return this->Reduce(slabs);
   }
 
 private:
-  // Side by side, of voxels or of cells.
-  struct Row
+  // The largest of voxels that are side by side on x, of a row or of all rows in a cell.
+  struct Bounds
   {
-    explicit Row(std::size_t size)
+    explicit Bounds(std::size_t size)
       : Squares(size, 0.0F)
       , Steps(size, 0.0F)
     {
@@ -90,11 +101,11 @@ private:
   int PlaneWidth() const { return this->Lattice.Dimensions[0] + 2; }
 
   // A plane of voxels as the texture's floats, clamped to the volume, with one more at both ends of each row.
-  std::vector<float> Plane(int z) const
+  void FillPlane(int z, std::vector<float>& plane) const
   {
     const int width = this->Lattice.Dimensions[0], height = this->Lattice.Dimensions[1];
     const std::size_t inside = std::clamp(z, 0, this->Lattice.Dimensions[2] - 1);
-    std::vector<float> plane(static_cast<std::size_t>(this->PlaneWidth()) * height);
+    plane.resize(static_cast<std::size_t>(this->PlaneWidth()) * height);
     const Scalar* scalar = this->Scalars + inside * width * height * this->Stride;
     for (float* row = plane.data(); row != plane.data() + plane.size(); row += width + 2)
     {
@@ -105,68 +116,54 @@ private:
       row[0] = row[1];
       row[width + 1] = row[width];
     }
-    return plane;
   }
 
-  // The voxels of a row, then the cells.
-  Row Reduce(int y, const std::vector<float>& below, const std::vector<float>& here,
-    const std::vector<float>& above) const
+  const float* RowOf(const std::vector<float>& plane, int y) const
+  {
+    const std::size_t inside = std::clamp(y, 0, this->Lattice.Dimensions[1] - 1);
+    return plane.data() + inside * this->PlaneWidth() + 1;
+  }
+
+  void Differentiate(int y, const std::vector<float>& planeBelow, const std::vector<float>& plane,
+    const std::vector<float>& planeAbove, Bounds& row) const
+  {
+    const float *here = this->RowOf(plane, y), *front = this->RowOf(plane, y - 1),
+                *back = this->RowOf(plane, y + 1), *below = this->RowOf(planeBelow, y),
+                *above = this->RowOf(planeAbove, y);
+    const float* const rows[5] = { here, front, back, below, above };
+    FindGradientSquares(rows, this->Lattice.Dimensions[0], this->Scale, row.Squares.data());
+    FindLargestSteps(rows, this->Lattice.Dimensions[0], this->StepScale, row.Steps.data());
+  }
+
+  // A voxel on the border of two rows of cells belongs to both.
+  void Join(int y, const Bounds& row, Bounds& slabs) const
   {
     const int width = this->Lattice.Dimensions[0];
-    const auto row = [&](const std::vector<float>& plane, int at) {
-      return plane.data() +
-        static_cast<std::size_t>(std::clamp(at, 0, this->Lattice.Dimensions[1] - 1)) * this->PlaneWidth() + 1;
-    };
-    const float* const lines[5] = { row(here, y), row(here, y - 1), row(here, y + 1), row(below, y),
-      row(above, y) };
-    Row voxels(width);
-    this->Differentiate(lines, voxels);
-    Row cells(this->Lattice.CellsOn(0));
-    for (int column = 0; column < this->Lattice.CellsOn(0); ++column)
-    {
-      const int begin = this->Lattice.FirstVoxel(column), end = this->Lattice.EndVoxel(column, 0);
-      const auto largest = [=](const std::vector<float>& values) {
-        return *std::max_element(values.begin() + begin, values.begin() + end);
-      };
-      cells.Squares[column] = largest(voxels.Squares);
-      cells.Steps[column] = largest(voxels.Steps);
-    }
-    return cells;
-  }
-
-  void Differentiate(const float* const lines[5], Row& voxels) const
-  {
-    const float *here = lines[0], *front = lines[1], *back = lines[2], *below = lines[3], *above = lines[4];
-    for (int x = 0; x < this->Lattice.Dimensions[0]; ++x)
-    {
-      const float gradient[3] = { (here[x + 1] - here[x - 1]) * this->Scale[0],
-        (back[x] - front[x]) * this->Scale[1], (above[x] - below[x]) * this->Scale[2] };
-      voxels.Squares[x] =
-        UpToOne(gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2]);
-      const float alongX = std::max(this->Step(0, here[x + 1], here[x]), this->Step(0, here[x], here[x - 1]));
-      const float alongY = std::max(this->Step(1, back[x], here[x]), this->Step(1, here[x], front[x]));
-      const float alongZ = std::max(this->Step(2, above[x], here[x]), this->Step(2, here[x], below[x]));
-      voxels.Steps[x] = std::max(std::max(alongX, alongY), alongZ);
-    }
-  }
-
-  float Step(int axis, float to, float from) const
-  {
-    return UpToOne(std::abs(to - from) * this->StepScale[axis]);
-  }
-
-  void Join(int y, const Row& row, Row& cells) const
-  {
-    const int columns = this->Lattice.CellsOn(0);
     for (int j = this->Lattice.FirstCell(y); j <= this->Lattice.LastCell(y, 1); ++j)
     {
-      const std::size_t first = static_cast<std::size_t>(j) * columns;
-      for (int i = 0; i < columns; ++i)
+      float* squares = slabs.Squares.data() + static_cast<std::size_t>(j) * width;
+      float* steps = slabs.Steps.data() + static_cast<std::size_t>(j) * width;
+      EnlargeBounds(squares, row.Squares.data(), width);
+      EnlargeBounds(steps, row.Steps.data(), width);
+    }
+  }
+
+  std::vector<float> Reduce(const Bounds& slabs) const
+  {
+    std::vector<float> magnitudes;
+    for (int j = 0; j < this->Lattice.CellsOn(1); ++j)
+    {
+      const std::size_t first = static_cast<std::size_t>(j) * this->Lattice.Dimensions[0];
+      for (int i = 0; i < this->Lattice.CellsOn(0); ++i)
       {
-        cells.Squares[first + i] = std::max(cells.Squares[first + i], row.Squares[i]);
-        cells.Steps[first + i] = std::max(cells.Steps[first + i], row.Steps[i]);
+        const auto largest = [&](const std::vector<float>& values) {
+          const auto row = values.begin() + first;
+          return *std::max_element(row + this->Lattice.FirstVoxel(i), row + this->Lattice.EndVoxel(i, 0));
+        };
+        magnitudes.push_back(this->Magnitude(largest(slabs.Squares), largest(slabs.Steps)));
       }
     }
+    return magnitudes;
   }
 
   static constexpr double TextureFraction =
@@ -177,8 +174,8 @@ private:
   const Scalar* Scalars;
   int Stride;
   MacrocellLattice Lattice;
-  float Scale[3];
-  float StepScale[3];
+  std::array<float, 3> Scale;
+  std::array<float, 3> StepScale;
   float Rounding;
 };
 }

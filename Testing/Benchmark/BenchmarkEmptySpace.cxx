@@ -165,8 +165,8 @@ std::vector<ContestScene> GradientScenes(vtkImageData* cranium, int size)
     scenes.push_back({ "cranium, boundaries of air, too", cranium, { { -1024.0, 0.1 }, { 500.0, 0.3 } }, true,
       size, 0.0, { { 0.0, 0.0 }, { 100.0, 0.0 }, { 300.0, 1.0 } } });
   }
-  scenes.push_back({ "Marschner-Lobb, steep places", MarschnerLobb(), { { 0.0, 0.1 }, { 1.0, 0.3 } }, true,
-    size, 0.0, { { 0.0, 0.0 }, { 0.04, 0.0 }, { 0.06, 1.0 } } });
+  scenes.push_back({ "Marschner-Lobb, the steepest places", MarschnerLobb(), { { 0.0, 0.1 }, { 1.0, 0.3 } },
+    true, size, 0.0, { { 0.0, 0.0 }, { 0.08, 0.0 }, { 0.09, 1.0 } } });
   return scenes;
 }
 }

@@ -23,7 +23,7 @@
 namespace
 {
 int Size = 512;
-const double GradientScale[3] = { 0.05, 0.05, 0.05 };
+const double GradientScale[3] = { 0.01, 0.01, 0.01 };
 
 struct Case
 {
@@ -110,7 +110,7 @@ void ClassifyGradients(benchmark::State& state, Case c, vtkDataArray* scalars)
   grid->SetGradientScale(GradientScale);
   grid->Update();
   grid->UpdateGradients();
-  const std::vector<float> table(1024, 0.5F), least(1024, 0.3F);
+  const std::vector<float> table(1024, 0.5F), least(1024, 0.08F);
   const double range[2] = { 0.0, 100.0 };
   for (auto _ : state)
   {
