@@ -20,7 +20,8 @@ inline float Steeper(float before, float here, float after, float scale)
 namespace volumeoptics
 {
 //------------------------------------------------------------------------------
-void FindGradientSquares(const float* const rows[5], int size, const std::array<float, 3>& scale, float* squares)
+void FindGradientSquares(
+  const float* const rows[5], int size, const std::array<float, 3>& scale, float* squares)
 {
   const float *here = rows[0], *front = rows[1], *back = rows[2], *below = rows[3], *above = rows[4];
   const float scaleX = scale[0], scaleY = scale[1], scaleZ = scale[2];
