@@ -47,10 +47,12 @@ private:
   // A wave of which the crests alone are left, and noise on one side.
   GradientField Field()
   {
-    const double frequency = this->Between(0.5, 5.0), phase = this->Between(0.0, 6.0), noise = this->Between(0.0, 0.3),
-                 border = this->Between(0.4, 1.2), contrast = this->Between(0.02, 1.0), flat = this->Between(0.7, 0.97);
+    const double frequency = this->Between(0.5, 5.0), phase = this->Between(0.0, 6.0),
+                 noise = this->Between(0.0, 0.3), border = this->Between(0.4, 1.2),
+                 contrast = this->Between(0.02, 1.0), flat = this->Between(0.7, 0.97);
     const auto at = [=, random = std::mt19937(this->Random())](const double place[3]) mutable {
-      const double wave = 0.5 + 0.5 * std::sin(frequency * (place[0] + 0.6 * place[1] - 0.4 * place[2]) + phase);
+      const double wave =
+        0.5 + 0.5 * std::sin(frequency * (place[0] + 0.6 * place[1] - 0.4 * place[2]) + phase);
       const double rough = place[2] > border ? noise * (random() / 4294967296.0 - 0.5) : 0.0;
       return contrast * (std::max(wave, flat) + rough);
     };
