@@ -83,6 +83,6 @@ int TestEmptySpaceGradientsAtRandom(int argc, char* argv[])
     scene.Optics->SkipEmptySpaceOff();
     check.That(with == scene.Render(), "seed " + std::to_string(seed) + ": the picture differs");
   }
-  check.AtLeast("scenes that skip, of " + std::to_string(scenes), skipping, scenes / 10);
+  check.AtLeast("scenes that skip, of " + std::to_string(scenes), skipping, 0.1 * scenes);
   return check.ExitCode();
 }
