@@ -93,6 +93,7 @@ set(rendering_sources
   LightingTableTexture
   LightingTransferFunctionTerm
   MacrocellDistances
+  MacrocellGradients
   LineAtlas
   LineEvaluation
   LineTextures
@@ -121,6 +122,7 @@ set(rendering_sources
   ProjectedTetrahedraTarget
   RayUniforms
   ReflectanceTerm
+  ScalarCoordinates
   ScalarPair
   SceneNeeds
   ShadowAtlas
@@ -140,6 +142,8 @@ set(rendering_sources
   TransferFunctionStretches
   TransferFunctionTerm
   TransferFunctionTexture
+  VisibleGradients
+  VisibleIn2D
   VisibleInScene
   VisibleScalars
   vtkLightingTransferFunctionItemEvents

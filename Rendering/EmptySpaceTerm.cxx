@@ -5,6 +5,7 @@
 
 #include "SceneNeeds.h"
 #include "SkippingCost.h"
+#include "VisibleGradients.h"
 #include "VisibleInScene.h"
 #include "vtkOpticsVolumeMapper.h"
 
@@ -99,19 +100,21 @@ bool EmptySpaceTerm::Prepare(const OpticsScene& scene)
   this->Grid->SetScalars(scene.Scalars);
   this->Grid->SetDimensions(dimensions);
   this->Grid->SetComponent(scene.OpacityComponent);
+  double gradientScale[3];
+  FindGradientScale(scene, gradientScale);
+  this->Grid->SetGradientScale(gradientScale);
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(scene.Mapper);
   command->SetCallback(TellProgress);
   const unsigned long tag = this->Grid->AddObserver(vtkCommand::AnyEvent, command);
   const bool hasRanges = this->Grid->Update();
-  this->Grid->RemoveObserver(tag);
-  if (!hasRanges)
+  if (hasRanges)
   {
-    return false;
+    this->Classify(scene);
   }
-  this->Classify(scene);
-  this->IsKnown = true;
-  return this->IsWorthwhile(scene);
+  this->Grid->RemoveObserver(tag);
+  this->IsKnown = hasRanges;
+  return hasRanges && this->IsWorthwhile(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -123,6 +126,10 @@ void EmptySpaceTerm::Classify(const OpticsScene& scene)
     this->RangesTime == this->Grid->GetUpdateTime();
   if (!isCurrent)
   {
+    if (visible.DependsOnGradient())
+    {
+      this->Grid->UpdateGradients();
+    }
     this->Grid->Classify(visible, visibleWhereConstant);
     this->Visible = visible;
     this->VisibleWhereConstant = visibleWhereConstant;

@@ -28,30 +28,50 @@ struct MacrocellRow
   std::vector<unsigned char> NonFinite;
 };
 
+// Which voxels a cell has, with one more on each side, and which cells a voxel.
+struct MacrocellLattice
+{
+  MacrocellLattice(const int dimensions[3], int cellSize)
+    : CellSize(cellSize)
+  {
+    std::copy(dimensions, dimensions + 3, this->Dimensions);
+  }
+
+  int CellsOn(int axis) const { return (this->Dimensions[axis] + this->CellSize - 1) / this->CellSize; }
+  int FirstVoxel(int cell) const { return std::max(cell * this->CellSize - 1, 0); }
+  int EndVoxel(int cell, int axis) const
+  {
+    return std::min((cell + 1) * this->CellSize + 1, this->Dimensions[axis]);
+  }
+  int FirstCell(int voxel) const { return std::max(voxel - 1, 0) / this->CellSize; }
+  int LastCell(int voxel, int axis) const
+  {
+    return std::min((voxel + 1) / this->CellSize, this->CellsOn(axis) - 1);
+  }
+
+  int Dimensions[3];
+  int CellSize;
+};
+
 template <typename Scalar>
 class MacrocellLayer
 {
 public:
   // scalars: the component of the first voxel; stride: components.
-  MacrocellLayer(const Scalar* scalars, int stride, const int dimensions[3], int cellSize)
+  MacrocellLayer(const Scalar* scalars, int stride, const MacrocellLattice& lattice)
     : Scalars(scalars)
     , Stride(stride)
-    , CellSize(cellSize)
+    , Lattice(lattice)
+    , Columns(lattice.CellsOn(0))
   {
-    std::copy(dimensions, dimensions + 3, this->Dimensions);
-    this->Columns = this->CellsOn(0);
   }
-
-  int CellsOn(int axis) const { return (this->Dimensions[axis] + this->CellSize - 1) / this->CellSize; }
 
   MacrocellRow Find(int layer) const
   {
-    MacrocellRow cells(static_cast<std::size_t>(this->Columns) * this->CellsOn(1));
-    const int begin = std::max(layer * this->CellSize - 1, 0);
-    const int end = std::min((layer + 1) * this->CellSize + 1, this->Dimensions[2]);
-    for (int z = begin; z < end; ++z)
+    MacrocellRow cells(static_cast<std::size_t>(this->Columns) * this->Lattice.CellsOn(1));
+    for (int z = this->Lattice.FirstVoxel(layer); z < this->Lattice.EndVoxel(layer, 2); ++z)
     {
-      for (int y = 0; y < this->Dimensions[1]; ++y)
+      for (int y = 0; y < this->Lattice.Dimensions[1]; ++y)
       {
         this->Join(y, this->Reduce(y, z), cells);
       }
@@ -64,12 +84,12 @@ private:
   MacrocellRow Reduce(int y, int z) const
   {
     MacrocellRow row(this->Columns);
-    const std::size_t voxel = (static_cast<std::size_t>(z) * this->Dimensions[1] + y) * this->Dimensions[0];
+    const int* size = this->Lattice.Dimensions;
+    const std::size_t voxel = (static_cast<std::size_t>(z) * size[1] + y) * size[0];
     const Scalar* first = this->Scalars + voxel * this->Stride;
     for (int column = 0; column < this->Columns; ++column)
     {
-      const int begin = std::max(column * this->CellSize - 1, 0);
-      const int end = std::min((column + 1) * this->CellSize + 1, this->Dimensions[0]);
+      const int begin = this->Lattice.FirstVoxel(column), end = this->Lattice.EndVoxel(column, 0);
       this->ReduceCell(first + static_cast<std::size_t>(begin) * this->Stride, end - begin, column, row);
     }
     return row;
@@ -97,9 +117,7 @@ private:
   // A voxel on the border of two rows of cells belongs to both.
   void Join(int y, const MacrocellRow& row, MacrocellRow& cells) const
   {
-    const int begin = std::max(y - 1, 0) / this->CellSize;
-    const int end = std::min((y + 1) / this->CellSize, this->CellsOn(1) - 1);
-    for (int j = begin; j <= end; ++j)
+    for (int j = this->Lattice.FirstCell(y); j <= this->Lattice.LastCell(y, 1); ++j)
     {
       const std::size_t first = static_cast<std::size_t>(j) * this->Columns;
       for (int i = 0; i < this->Columns; ++i)
@@ -138,8 +156,7 @@ private:
 
   const Scalar* Scalars;
   int Stride;
-  int CellSize;
-  int Dimensions[3];
+  MacrocellLattice Lattice;
   int Columns;
 };
 }

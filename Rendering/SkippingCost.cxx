@@ -57,8 +57,9 @@ private:
   {
     double range[2];
     this->Grid->GetCellRange(cell[0], cell[1], cell[2], range);
+    const float gradient = this->Grid->GetCellGradient(cell[0], cell[1], cell[2]);
     return this->UnitsPerCell > 0.0 && range[0] <= range[1]
-      ? std::pow(1.0 - this->Visible.MeanOpacity(range[0], range[1]), this->UnitsPerCell)
+      ? std::pow(1.0 - this->Visible.MeanOpacity(range[0], range[1], gradient), this->UnitsPerCell)
       : 1.0;
   }
 

@@ -22,7 +22,8 @@ struct SkippingTimes
 
 /**
  * Time of rays through a classified grid over that without skipping. The rays go through up to every 16th row of cells
- * on each axis, both ways, with two samples for each voxel, and end where the cells in front are opaque. voxelsPerUnit: in
+ * on each axis, both ways, with two samples for each voxel, and end where the cells in front are opaque, their scalars
+ * and their gradients, up to the largest one, taken as spread evenly. voxelsPerUnit: in
  * the distance that the table's opacities are of; 0 where rays should be taken to go all through.
  */
 VTKVOLUMEOPTICS_EXPORT double EstimateSkipping(

@@ -3,17 +3,15 @@
 
 #include "VisibleInScene.h"
 
+#include "ScalarCoordinates.h"
 #include "SceneNeeds.h"
+#include "VisibleGradients.h"
+#include "VisibleIn2D.h"
 #include "vtkOpticsVolumeMapper.h"
 #include "vtkOpticsVolumeProperty.h"
 
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
-#include "vtkMath.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPointData.h"
-#include "vtkTextureObject.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -25,19 +23,11 @@ namespace
 {
 using Ends = VisibleScalars::Ends;
 
-const int LeastTableWidth = 1024; // VTK's, and that of the terms' own opacity function
+const int IntegralTableSize = 1024; // that of the terms' own opacity function
 
 vtkPiecewiseFunction* OpacityFunction(const OpticsScene& scene)
 {
   return scene.Volume->GetProperty()->GetScalarOpacity();
-}
-
-// As VTK keeps it.
-void FindDataRange(const OpticsScene& scene, double range[2])
-{
-  scene.Scalars->GetFiniteRange(range, scene.OpacityComponent);
-  range[0] = static_cast<float>(range[0]);
-  range[1] = static_cast<float>(range[1]);
 }
 
 void FindTableRange(const OpticsScene& scene, double range[2])
@@ -49,64 +39,35 @@ void FindTableRange(const OpticsScene& scene, double range[2])
   }
 }
 
-// The scalars that coordinates 0 and 1 stand for: VTK takes codes of 8 and 16 bits for one more than there are.
-void FindCoordinateRange(const OpticsScene& scene, double range[2])
-{
-  FindDataRange(scene, range);
-  const bool isCode = scene.Scalars->GetDataTypeSize() <= 2;
-  const double largest = isCode ? scene.Scalars->GetDataTypeMax() : 0.0;
-  const double factor = isCode ? largest / (largest + 1.0) : 1.0;
-  range[0] *= factor;
-  range[1] *= factor;
-}
-
-VisibleScalars MakeVisible(const OpticsScene& scene, const std::vector<float>& table, Ends ends)
+VisibleScalars MakeVisible(const OpticsScene& scene, const std::vector<float>& table, Ends ends,
+  const std::vector<float>& leastGradients = {})
 {
   double range[2];
   FindCoordinateRange(scene, range);
-  return VisibleScalars(table, range, ends);
+  return VisibleScalars(table, range, ends, leastGradients);
 }
 
-// VTK's look-up table.
-std::vector<float> OpacityTable(const OpticsScene& scene)
+// What VTK's look-up tables show, that of gradients, too.
+VisibleScalars FindVisibleIn1D(const OpticsScene& scene)
 {
   double range[2];
   FindTableRange(scene, range);
-  const int wanted =
-    vtkMath::NearestPowerOfTwo(OpacityFunction(scene)->EstimateMinNumberOfSamples(range[0], range[1]));
-  const int largest = vtkTextureObject::GetMaximumTextureSize(scene.Window);
-  std::vector<float> table(std::min(std::max(wanted, LeastTableWidth), std::max(largest, LeastTableWidth)));
-  OpacityFunction(scene)->GetTable(range[0], range[1], static_cast<int>(table.size()), table.data());
-  return table;
-}
-
-vtkImageData* Function2D(const OpticsScene& scene)
-{
-  return scene.Volume->GetProperty()->GetTransferFunction2D();
-}
-
-bool IsUsable2D(vtkImageData* function)
-{
-  return function && function->GetScalarType() == VTK_FLOAT && function->GetNumberOfScalarComponents() == 4 &&
-    function->GetDimensions()[0] > 1;
-}
-
-// The largest opacity of a scalar, whatever the second coordinate; of its neighbours too, between which VTK
-// interpolates when it resizes the image.
-std::vector<float> OpacityTable2D(vtkImageData* function)
-{
-  const int* size = function->GetDimensions();
-  const auto* texels = static_cast<const float*>(function->GetPointData()->GetScalars()->GetVoidPointer(0));
-  std::vector<float> table(size[0], 0.0F);
-  for (int texel = 0; texel < size[0] * size[1]; ++texel)
+  const std::vector<float> table = MakeVTKTable(scene, OpacityFunction(scene), range, range[0], range[1]);
+  if (!IsSeenByGradients(scene))
   {
-    const int column = texel % size[0];
-    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, size[0] - 1); ++x)
-    {
-      table[x] = std::max(table[x], texels[4 * texel + 3]);
-    }
+    return MakeVisible(scene, table, Ends::Edges);
   }
-  return table;
+  const std::vector<float> gradients = MakeGradientTable(scene);
+  const float least = static_cast<float>(FindLeastGradient(scene, gradients));
+  VisibleScalars visible = MakeVisible(scene, table, Ends::Edges, std::vector<float>(table.size(), least));
+  visible.SetGradientOpacities(gradients);
+  return visible;
+}
+
+VisibleScalars FindVisibleIn2D(const OpticsScene& scene)
+{
+  const Columns2D columns = FindColumns2D(scene);
+  return MakeVisible(scene, columns.Opacities, Ends::Edges, columns.LeastGradients);
 }
 
 // Entries that differ from zero where the function does somewhere between their neighbours: what an integral between
@@ -162,7 +123,7 @@ void MarkFunction(vtkPiecewiseFunction* function, WideTable& table)
 
 int TableSize(const OpticsScene& scene)
 {
-  return IsPreIntegrated(scene) ? scene.Mapper->GetPreIntegrationTableSize() : LeastTableWidth;
+  return IsPreIntegrated(scene) ? scene.Mapper->GetPreIntegrationTableSize() : IntegralTableSize;
 }
 
 std::vector<float> IsosurfaceTable(const OpticsScene& scene)
@@ -197,8 +158,7 @@ bool IsSeenByScalars(const OpticsScene& scene)
 {
   double range[2];
   FindDataRange(scene, range);
-  const bool hasFunction =
-    Is2D(scene) ? IsUsable2D(Function2D(scene)) : OpacityFunction(scene)->GetSize() > 0;
+  const bool hasFunction = Is2D(scene) ? IsUsable2D(scene) : OpacityFunction(scene)->GetSize() > 0;
   return hasFunction && range[1] > range[0] && scene.Scalars->GetNumberOfComponents() != 3 &&
     !ReplacesClassification(scene) && !HasLabels(scene) && !scene.Mapper->GetUseDepthPass();
 }
@@ -212,8 +172,7 @@ VisibleScalars FindVisibleScalars(const OpticsScene& scene)
     visible.ShowNaN(); // on its two sides a segment may have numbers with visible ones between them
     return visible;
   }
-  return MakeVisible(
-    scene, Is2D(scene) ? OpacityTable2D(Function2D(scene)) : OpacityTable(scene), Ends::Edges);
+  return Is2D(scene) ? FindVisibleIn2D(scene) : FindVisibleIn1D(scene);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "vtkMacrocellGrid.h"
 
 #include "MacrocellDistances.h"
+#include "MacrocellGradients.h"
 #include "MacrocellRanges.h"
 #include "VisibleScalars.h"
 
@@ -90,6 +91,12 @@ bool vtkMacrocellGrid::GetCellHasNonFinite(int i, int j, int k)
 }
 
 //------------------------------------------------------------------------------
+float vtkMacrocellGrid::GetCellGradient(int i, int j, int k)
+{
+  return this->Gradients.empty() ? 1.0F : this->Gradients[this->Index(i, j, k)];
+}
+
+//------------------------------------------------------------------------------
 int vtkMacrocellGrid::GetCellDistance(int i, int j, int k)
 {
   return this->Distances[this->Index(i, j, k)];
@@ -98,7 +105,8 @@ int vtkMacrocellGrid::GetCellDistance(int i, int j, int k)
 //------------------------------------------------------------------------------
 std::size_t vtkMacrocellGrid::GetMemorySize()
 {
-  return this->Lowest.size() * 2 * sizeof(float) + this->NonFinite.size() + this->Distances.size();
+  return (this->Lowest.size() * 2 + this->Gradients.size()) * sizeof(float) + this->NonFinite.size() +
+    this->Distances.size();
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +137,7 @@ bool vtkMacrocellGrid::Update()
   this->Lowest.assign(cells, 0.0F);
   this->Highest.assign(cells, 0.0F);
   this->NonFinite.assign(cells, 0);
+  this->Gradients.clear();
   this->Distances.assign(cells, 0);
   this->EmptyFraction = 0.0;
   this->DeepEmptyFraction = 0.0;
@@ -146,47 +155,86 @@ bool vtkMacrocellGrid::Update()
 }
 
 //------------------------------------------------------------------------------
+void vtkMacrocellGrid::UpdateGradients()
+{
+  if (this->Gradients.empty() && !this->Lowest.empty())
+  {
+    this->Gradients.assign(this->Lowest.size(), 1.0F);
+    this->InvokeEvent(vtkCommand::StartEvent);
+    this->FindGradients();
+    this->InvokeEvent(vtkCommand::EndEvent);
+  }
+}
+
+//------------------------------------------------------------------------------
 namespace
 {
-template <typename Scalar>
-void FindLayers(const volumeoptics::MacrocellLayer<Scalar>& layers, vtkIdType begin, vtkIdType end,
-  std::vector<float>& lowest, std::vector<float>& highest, std::vector<unsigned char>& nonFinite)
+// find(layer), by all threads; progress is told between batches.
+template <typename Function>
+void FindLayers(vtkMacrocellGrid* grid, Function find)
 {
-  vtkSMPTools::For(begin, end, 1, [&](vtkIdType first, vtkIdType last) {
-    for (vtkIdType layer = first; layer < last; ++layer)
-    {
-      const volumeoptics::MacrocellRow cells = layers.Find(static_cast<int>(layer));
-      const std::size_t offset = layer * cells.Lowest.size();
-      std::copy(cells.Lowest.begin(), cells.Lowest.end(), lowest.begin() + offset);
-      std::copy(cells.Highest.begin(), cells.Highest.end(), highest.begin() + offset);
-      std::copy(cells.NonFinite.begin(), cells.NonFinite.end(), nonFinite.begin() + offset);
-    }
-  });
+  const vtkIdType layers = grid->GetGridSize()[2];
+  // a layer for each thread, while there are some batches left to tell progress between
+  const vtkIdType threads =
+    std::min<vtkIdType>(vtkSMPTools::GetEstimatedNumberOfThreads(), layers / LeastBatches);
+  const vtkIdType batch = std::max({ layers / MostBatches, threads, vtkIdType(1) });
+  for (vtkIdType begin = 0; begin < layers; begin += batch)
+  {
+    const vtkIdType end = std::min(begin + batch, layers);
+    vtkSMPTools::For(begin, end, 1, [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType layer = first; layer < last; ++layer)
+      {
+        find(static_cast<int>(layer));
+      }
+    });
+    double progress = static_cast<double>(end) / layers;
+    grid->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+  }
+}
+
+template <typename Scalar>
+const Scalar* FirstScalar(vtkDataArray* scalars, int component)
+{
+  return static_cast<const Scalar*>(scalars->GetVoidPointer(0)) + component;
 }
 }
 
 //------------------------------------------------------------------------------
 void vtkMacrocellGrid::FindRanges()
 {
-  const vtkIdType layers = this->GridSize[2];
-  // a layer for each thread, while there are some batches left to tell progress between
-  const vtkIdType threads =
-    std::min<vtkIdType>(vtkSMPTools::GetEstimatedNumberOfThreads(), layers / LeastBatches);
-  const vtkIdType batch = std::max({ layers / MostBatches, threads, vtkIdType(1) });
+  const volumeoptics::MacrocellLattice lattice(this->Dimensions, this->CellSize);
+  const auto findOf = [&](const auto& layers) {
+    FindLayers(this, [&](int layer) {
+      const volumeoptics::MacrocellRow cells = layers.Find(layer);
+      const std::size_t offset = layer * cells.Lowest.size();
+      std::copy(cells.Lowest.begin(), cells.Lowest.end(), this->Lowest.begin() + offset);
+      std::copy(cells.Highest.begin(), cells.Highest.end(), this->Highest.begin() + offset);
+      std::copy(cells.NonFinite.begin(), cells.NonFinite.end(), this->NonFinite.begin() + offset);
+    });
+  };
   const int components = this->Scalars->GetNumberOfComponents();
-  for (vtkIdType begin = 0; begin < layers; begin += batch)
+  switch (this->Scalars->GetDataType())
   {
-    const vtkIdType end = std::min(begin + batch, layers);
-    switch (this->Scalars->GetDataType())
-    {
-      vtkTemplateMacro(
-        FindLayers(volumeoptics::MacrocellLayer<VTK_TT>(
-                     static_cast<const VTK_TT*>(this->Scalars->GetVoidPointer(0)) + this->Component,
-                     components, this->Dimensions, this->CellSize),
-          begin, end, this->Lowest, this->Highest, this->NonFinite));
-    }
-    double progress = static_cast<double>(end) / layers;
-    this->InvokeEvent(vtkCommand::ProgressEvent, &progress);
+    vtkTemplateMacro(findOf(volumeoptics::MacrocellLayer<VTK_TT>(
+      FirstScalar<VTK_TT>(this->Scalars, this->Component), components, lattice)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMacrocellGrid::FindGradients()
+{
+  const volumeoptics::MacrocellLattice lattice(this->Dimensions, this->CellSize);
+  const auto findOf = [&](const auto& layers) {
+    FindLayers(this, [&](int layer) {
+      const std::vector<float> magnitudes = layers.Find(layer);
+      std::copy(magnitudes.begin(), magnitudes.end(), this->Gradients.begin() + layer * magnitudes.size());
+    });
+  };
+  const int components = this->Scalars->GetNumberOfComponents();
+  switch (this->Scalars->GetDataType())
+  {
+    vtkTemplateMacro(findOf(volumeoptics::MacrocellGradients<VTK_TT>(
+      FirstScalar<VTK_TT>(this->Scalars, this->Component), components, lattice, this->GradientScale)));
   }
 }
 
@@ -201,7 +249,8 @@ void vtkMacrocellGrid::Classify(const VisibleScalars& visible, const VisibleScal
     {
       const float low = this->Lowest[cell], high = this->Highest[cell];
       const VisibleScalars& seen = low == high ? visibleWhereConstant : visible;
-      const bool hidesNumbers = low > high || !seen.HasAny(low, high);
+      const float gradient = this->Gradients.empty() ? 1.0F : this->Gradients[cell];
+      const bool hidesNumbers = low > high || !seen.HasAny(low, high, gradient);
       const bool isEmpty = hidesNumbers && (this->NonFinite[cell] == 0 || !showsNaN);
       this->Distances[cell] = isEmpty ? 1 : 0;
       count += isEmpty ? 1 : 0;
@@ -254,6 +303,8 @@ void vtkMacrocellGrid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Dimensions: " << this->Dimensions[0] << " " << this->Dimensions[1] << " "
      << this->Dimensions[2] << "\n";
   os << indent << "Component: " << this->Component << "\n";
+  os << indent << "GradientScale: " << this->GradientScale[0] << " " << this->GradientScale[1] << " "
+     << this->GradientScale[2] << "\n";
   os << indent << "GridSize: " << this->GridSize[0] << " " << this->GridSize[1] << " " << this->GridSize[2]
      << "\n";
   os << indent << "VisibleExtent:";

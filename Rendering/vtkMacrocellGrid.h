@@ -10,9 +10,12 @@
  * without the voxels (Classify()), together with each cell's distance to the nearest one that is not empty:
  * how far a ray may leap. Distances are those of the largest coordinate, in cells.
  *
- * Work is shared among threads (vtkSMPTools); Update() invokes StartEvent, ProgressEvent (call data: double in
- * [0, 1]) and EndEvent. Takes GetMemorySize() bytes: 10 for each cell, so 1/50 of a byte for each voxel where
- * a cell has 8 of them on each axis. Independent of OpenGL.
+ * Where opacity depends on the gradient's magnitude, the largest one that a ray can meet in each cell is found once for
+ * the scalars, too (UpdateGradients()): where the function hides all smaller ones, the cell is empty.
+ *
+ * Work is shared among threads (vtkSMPTools); Update() and UpdateGradients() invoke StartEvent, ProgressEvent (call
+ * data: double in [0, 1]) and EndEvent. Takes GetMemorySize() bytes: 10 for each cell, so 1/50 of a byte for each voxel
+ * where a cell has 8 of them on each axis, and 4 more with gradients. Independent of OpenGL.
  */
 
 #ifndef vtkMacrocellGrid_h
@@ -67,11 +70,25 @@ public:
   vtkGetMacro(Component, int);
   ///@}
 
+  ///@{
+  /**
+   * Gradient magnitude of a difference of 1 between the two neighbours of a voxel on each axis. Magnitudes are lengths
+   * of such differences, clamped to 1 as VTK clamps those that it looks gradient opacity up by. Default 0.
+   */
+  vtkSetVector3Macro(GradientScale, double);
+  vtkGetVector3Macro(GradientScale, double);
+  ///@}
+
   /**
    * Finds the ranges if something has changed. False, with one error until the next change, if there are no
    * scalars of these dimensions and with this component; the grid is empty then.
    */
   bool Update();
+
+  /**
+   * Finds the gradient magnitudes, after Update(), unless they are known. Until then any cell has any magnitude.
+   */
+  void UpdateGradients();
 
   /** Number of cells on each axis, after Update(). */
   vtkGetVector3Macro(GridSize, int);
@@ -81,6 +98,14 @@ public:
    * the last.
    */
   void GetCellRange(int i, int j, int k, double range[2]);
+
+  /**
+   * The largest gradient magnitude that a sample in a cell has by VTK's shader and linear interpolation, in [0, 1], or
+   * a little more: steps between voxels count by 1 / (n - 1), n being the voxels on the axis, where VTK looks beyond a
+   * voxel, and by 1/256, the accuracy of texture coordinates; what differs in codes of 8 and 16 bits by 3 codes, which
+   * interpolation may round. 1 beside a scalar that is not finite, or where UpdateGradients() was not called.
+   */
+  float GetCellGradient(int i, int j, int k);
 
   /** Whether a cell has a scalar that is not finite. */
   bool GetCellHasNonFinite(int i, int j, int k);
@@ -103,7 +128,7 @@ public:
   /** Part of the cells that are empty with all cells around them, in [0, 1], after Classify(). */
   vtkGetMacro(DeepEmptyFraction, double);
 
-  /** Bytes of ranges and distances. */
+  /** Bytes of ranges, gradients and distances. */
   std::size_t GetMemorySize();
 
   /** When Update() found the ranges last. */
@@ -114,8 +139,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Finds the cells without a scalar that can be seen, and the distances to the others. Of a cell of one scalar
-   * alone visibleWhereConstant tells: in data space it is empty even where the function is opaque.
+   * Finds the cells without a scalar that can be seen with their gradients, and the distances to the others. Of a cell
+   * of one scalar alone visibleWhereConstant tells: in data space it is empty even where the function is opaque.
    */
   void Classify(const VisibleScalars& visible, const VisibleScalars& visibleWhereConstant);
 
@@ -136,6 +161,7 @@ private:
 
   bool IsUsable();
   void FindRanges();
+  void FindGradients();
   void FindVisibleExtent();
   std::size_t Index(int i, int j, int k) const;
 
@@ -143,11 +169,13 @@ private:
   vtkSmartPointer<vtkDataArray> Scalars;
   int Dimensions[3] = { 0, 0, 0 };
   int Component = 0;
+  double GradientScale[3] = { 0.0, 0.0, 0.0 };
 
   int GridSize[3] = { 0, 0, 0 };
   std::vector<float> Lowest; // rounded outwards
   std::vector<float> Highest;
   std::vector<unsigned char> NonFinite;
+  std::vector<float> Gradients; // rounded upwards; empty until they are asked for
   std::vector<unsigned char> Distances;
   int VisibleExtent[6] = { 0, -1, 0, -1, 0, -1 };
   double EmptyFraction = 0.0;

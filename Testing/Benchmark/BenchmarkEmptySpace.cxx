@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Time of a frame without and with empty-space skipping, over that of VTK's own mapper, for scenes from almost empty
-// to full, and for fog with as many holes as skipping is compiled in for: the worst that it can cost. Medians of
+// to full, for scenes whose gradient opacity hides what is homogeneous, and for fog with as many holes as skipping is compiled in for: the worst that it can cost. Medians of
 // ratios of processor time; the pictures are compared too.
 //
-//   BenchmarkEmptySpace [cranium.vti] [--size pixels] [--frames number] [--cell voxels] [--holes]
+//   BenchmarkEmptySpace [cranium.vti] [--size pixels] [--frames number] [--cell voxels] [--holes | --gradients]
 //
-// cranium.vti: a CT in Hounsfield units, in which bone begins at 200. --holes: fog with holes alone.
+// cranium.vti: a CT in Hounsfield units, in which bone begins at 200. --holes: fog with holes alone;
+// --gradients: scenes with a gradient opacity alone.
 
 #include "FrameContest.h"
 
@@ -28,7 +29,7 @@ struct Options
   int Size = 512;
   int Frames = 9;
   int Cell = 0;
-  bool OnlyHoles = false;
+  std::string Only; // --holes or --gradients
 };
 
 Options Read(int argc, char** argv)
@@ -37,9 +38,9 @@ Options Read(int argc, char** argv)
   for (int i = 1; i < argc; ++i)
   {
     const std::string word = argv[i];
-    if (word == "--holes")
+    if (word == "--holes" || word == "--gradients")
     {
-      options.OnlyHoles = true;
+      options.Only = word;
     }
     else if (word.substr(0, 2) != "--")
     {
@@ -151,6 +152,23 @@ void CompareHoles(const Options& options)
     }
   }
 }
+
+// Tissue within its boundaries is hidden. Without the gradient opacity all of it is seen.
+std::vector<ContestScene> GradientScenes(vtkImageData* cranium, int size)
+{
+  std::vector<ContestScene> scenes;
+  if (cranium)
+  {
+    scenes.push_back(
+      { "cranium, boundaries of tissue", cranium, { { -500.0, 0.0 }, { -300.0, 0.1 }, { 500.0, 0.3 } }, true,
+        size, 0.0, { { 0.0, 0.0 }, { 100.0, 0.0 }, { 300.0, 1.0 } } });
+    scenes.push_back({ "cranium, boundaries of air, too", cranium, { { -1024.0, 0.1 }, { 500.0, 0.3 } }, true,
+      size, 0.0, { { 0.0, 0.0 }, { 100.0, 0.0 }, { 300.0, 1.0 } } });
+  }
+  scenes.push_back({ "Marschner-Lobb, the steepest places", MarschnerLobb(), { { 0.0, 0.1 }, { 1.0, 0.3 } },
+    true, size, 0.0, { { 0.0, 0.0 }, { 0.08, 0.0 }, { 0.09, 1.0 } } });
+  return scenes;
+}
 }
 
 int main(int argc, char** argv)
@@ -162,13 +180,22 @@ int main(int argc, char** argv)
   std::vector<ContestScene> scenes = ContestScenes(cranium, options.Size);
   scenes.push_back({ "Marschner-Lobb, half of it solid", MarschnerLobb(), { { 0.5, 0.0 }, { 0.52, 0.9 } },
     true, options.Size });
+  if (!options.Only.empty())
+  {
+    scenes.clear();
+  }
+  if (options.Only != "--holes")
+  {
+    const std::vector<ContestScene> more = GradientScenes(cranium, options.Size);
+    scenes.insert(scenes.end(), more.begin(), more.end());
+  }
   for (const ContestScene& scene : scenes)
   {
-    if (!options.OnlyHoles)
-    {
-      CompareModels(scene, options);
-    }
+    CompareModels(scene, options);
   }
-  CompareHoles(options);
+  if (options.Only != "--gradients")
+  {
+    CompareHoles(options);
+  }
   return EXIT_SUCCESS;
 }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: VolumeOptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Time of vtkMacrocellGrid: finding the ranges of a volume, and classifying them after a change of the transfer
-// function, the distances included, and estimating what skipping is worth; scalar types, sizes of cells, threads. CPU time is the process's.
+// Time of vtkMacrocellGrid: finding the ranges of a volume and its gradients, classifying them after a change of the
+// transfer function, the distances included, and estimating what skipping is worth; scalar types, sizes of cells, threads.
+// CPU time is the process's.
 //
 //   BenchmarkMacrocellGrid [--size voxels] [Google Benchmark's options]
 
@@ -24,6 +25,7 @@
 namespace
 {
 int Size = 512;
+const double GradientScale[3] = { 0.01, 0.01, 0.01 };
 
 struct Case
 {
@@ -70,6 +72,22 @@ void FindRanges(benchmark::State& state, Case c, vtkDataArray* scalars)
   state.counters["MiB"] = static_cast<double>(grid->GetMemorySize()) / 1048576.0;
 }
 
+void FindGradients(benchmark::State& state, Case c, vtkDataArray* scalars)
+{
+  vtkNew<vtkMacrocellGrid> grid;
+  SetUp(grid, scalars, c);
+  grid->SetGradientScale(GradientScale);
+  for (auto _ : state)
+  {
+    state.PauseTiming();
+    grid->Modified();
+    grid->Update();
+    state.ResumeTiming();
+    grid->UpdateGradients();
+  }
+  state.counters["MiB"] = static_cast<double>(grid->GetMemorySize()) / 1048576.0;
+}
+
 void Classify(benchmark::State& state, Case c, vtkDataArray* scalars)
 {
   vtkNew<vtkMacrocellGrid> grid;
@@ -104,6 +122,24 @@ void Estimate(benchmark::State& state, Case c, vtkDataArray* scalars)
   state.counters["empty"] = grid->GetEmptyFraction();
 }
 
+// Every scalar is seen, and steep places alone.
+void ClassifyGradients(benchmark::State& state, Case c, vtkDataArray* scalars)
+{
+  vtkNew<vtkMacrocellGrid> grid;
+  SetUp(grid, scalars, c);
+  grid->SetGradientScale(GradientScale);
+  grid->Update();
+  grid->UpdateGradients();
+  const std::vector<float> table(1024, 0.5F), least(1024, 0.08F);
+  const double range[2] = { 0.0, 100.0 };
+  for (auto _ : state)
+  {
+    const VisibleScalars visible(table, range, VisibleScalars::Ends::Edges, least);
+    grid->Classify(visible, visible);
+  }
+  state.counters["empty"] = grid->GetEmptyFraction();
+}
+
 void Register(const std::string& name, void (*function)(benchmark::State&, Case, vtkDataArray*),
   const Case& c, vtkDataArray* scalars)
 {
@@ -133,6 +169,8 @@ int main(int argc, char* argv[])
       for (const int threads : { 1, 2 })
       {
         Register("Ranges", FindRanges, { type, cellSize, threads }, volumes.back());
+        Register("Gradients", FindGradients, { type, cellSize, threads }, volumes.back());
+        Register("ClassifyGradients", ClassifyGradients, { type, cellSize, threads }, volumes.back());
         Register("Classify", Classify, { type, cellSize, threads }, volumes.back());
       }
       Register("Estimate", Estimate, { type, cellSize, 1 }, volumes.back());

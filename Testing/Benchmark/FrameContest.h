@@ -42,6 +42,8 @@ struct ContestScene
   bool IsShaded = true;
   int Size = 512;    // pixels on each side
   double Step = 0.0; // 0: half the smallest spacing
+  std::vector<std::pair<double, double>>
+    GradientOpacities = {}; // at half differences of neighbours; empty: none
 };
 
 inline vtkSmartPointer<vtkImageData> ReadContestImage(const std::string& file)
@@ -136,6 +138,15 @@ private:
     for (const auto& [scalar, value] : scene.Opacities)
     {
       opacity->AddPoint(scalar, value);
+    }
+    vtkNew<vtkPiecewiseFunction> gradientOpacity;
+    for (const auto& [gradient, value] : scene.GradientOpacities)
+    {
+      gradientOpacity->AddPoint(gradient, value);
+    }
+    if (!scene.GradientOpacities.empty())
+    {
+      property->SetGradientOpacity(gradientOpacity);
     }
     vtkNew<vtkColorTransferFunction> color;
     color->AddRGBPoint(scene.Opacities.front().first, 0.8, 0.5, 0.4);

@@ -6,78 +6,15 @@
 // --scenes (scalar types, functions, steps), --models, --sweeps, --ward-0 to --ward-2,
 // --integral and --integral-scenes (data space, pre-integration).
 
-#include "SupportedSettings.h"
-
-#include "vtkMath.h"
-
-#include <set>
+#include "SkippingScene.h"
 
 namespace
 {
-const std::set<std::string> RowsWithout = { "label map", "depth pass", "partitions", "shader property" };
-
-struct SkippingScene : TestScene
-{
-  explicit SkippingScene(vtkGPUVolumeRayCastMapper* mapper = nullptr)
-    : TestScene(mapper)
-  {
-    this->Window->SetSize(48, 48);
-    this->Optics->SkipEmptySpaceOn();
-    this->Optics->SetMacrocellSize(4);
-  }
-};
-
-bool Skips(vtkOpticsVolumeMapper* mapper)
-{
-  return mapper->GetActiveTerms().find("EmptySpace") != std::string::npos;
-}
-
-// Two frames: the first one loads the volume.
-void CompareWithVTK(Check& check, const std::string& name, const Setting& apply, bool isServed = true)
-{
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> stock;
-  SkippingScene reference(stock);
-  SkippingScene ours;
-  apply(reference);
-  apply(ours);
-  check.That(reference.Render() == ours.Render(), name + ": the first frame is not VTK's");
-  check.That(reference.Render() == ours.Render(), name + ": the second frame is not VTK's");
-  check.That(Skips(ours.Optics) == isServed, name + (isServed ? ": nothing is skipped" : ": skips"));
-}
-
-void CompareWithout(Check& check, const std::string& name, const Setting& apply, bool isServed = true)
-{
-  SkippingScene scene;
-  apply(scene);
-  const std::vector<unsigned char> with = scene.Render();
-  scene.Optics->SkipEmptySpaceOff();
-  check.That(with == scene.Render(), name + ": the picture differs from that without skipping");
-  scene.Optics->SkipEmptySpaceOn();
-  check.That(with == scene.Render(), name + ": the picture differs when skipping again");
-  check.That(Skips(scene.Optics) == isServed, name + (isServed ? ": nothing is skipped" : ": skips"));
-}
-
-// On a target of float, which tells the last digit.
-void CompareInFloat(Check& check, const std::string& name, const Setting& apply)
-{
-  SkippingScene scene;
-  apply(scene);
-  const std::vector<float> with = scene.RenderFloat();
-  scene.Optics->SkipEmptySpaceOff();
-  check.That(with == scene.RenderFloat(), name + ": the picture in float differs");
-}
-
-void UseWard(TestScene& scene)
-{
-  scene.Property->SetReflectanceModelToWard();
-  scene.Property->SetSpecular(0.7);
-}
-
 void TestRows(Check& check)
 {
   for (const Row& row : Rows)
   {
-    CompareWithVTK(check, row.Name, row.Apply, RowsWithout.count(row.Name) == 0);
+    CompareWithVTK(check, row.Name, row.Apply, IsSkippedIn(row));
   }
 }
 
@@ -216,7 +153,7 @@ void TestRowsOfWard(Check& check, std::size_t third)
   for (std::size_t i = third; i < std::size(Rows); i += 3)
   {
     const Row& row = Rows[i];
-    const bool isServed = RowsWithout.count(row.Name) == 0;
+    const bool isServed = IsSkippedIn(row);
     CompareWithout(
       check, std::string(row.Name) + ", Ward",
       [&](TestScene& scene) {
@@ -263,7 +200,7 @@ void TestIntegralInRows(Check& check)
     const std::string name = row.Name;
     if (name != "label map" && name != "2D transfer function") // which have VTK's integral
     {
-      CompareIntegral(check, row, kind, RowsWithout.count(name) == 0);
+      CompareIntegral(check, row, kind, IsSkippedIn(row));
     }
     ++kind;
   }

@@ -66,6 +66,30 @@ void TestFunction(Check& check)
   check.That(pair.Ours.Optics->GetProgramLinkCount() == links, "a shader used before is linked again");
 }
 
+// Gradients are found once for the scalars; a change of the function links no program.
+void TestGradientFunction(Check& check)
+{
+  Pair pair;
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 1.0);
+  pair.Both([&](TestScene& scene) { scene.Property->SetGradientOpacity(function); });
+  check.That(pair.IsSame() && pair.Skips(), "every gradient is seen");
+  const int links = pair.Ours.Optics->GetProgramLinkCount();
+  const FrameEvents events(pair.Ours.Optics);
+  for (const double begin : { 0.05, 0.1, 0.02 })
+  {
+    function->RemoveAllPoints();
+    function->AddPoint(0.0, 0.0);
+    function->AddPoint(begin, 0.0);
+    function->AddPoint(begin + 0.01, 1.0);
+    check.That(pair.IsSame() && pair.Skips(), "gradients from " + std::to_string(begin) + " on");
+  }
+  check.That(
+    events.Starts == 1 && events.Ends == 1 && events.Rises, "gradients are found once, and it is told");
+  check.That(
+    pair.Ours.Optics->GetProgramLinkCount() == links, "a change of the gradient opacity links a program");
+}
+
 void TestSwitch(Check& check)
 {
   Pair pair;
@@ -204,6 +228,7 @@ int TestEmptySpaceChanges(int, char*[])
 {
   Check check;
   TestFunction(check);
+  TestGradientFunction(check);
   TestSwitch(check);
   TestScalars(check);
   TestTimeSteps(check);

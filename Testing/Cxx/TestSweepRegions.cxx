@@ -128,6 +128,15 @@ const Case Cases[] = {
       ClearFog(s);
       s.Property->SetIntegrationSpaceToData();
     } },
+  { "a fog that gradient opacity hides",
+    [](TestScene& s) {
+      Turn(s);
+      vtkNew<vtkPiecewiseFunction> function;
+      function->AddPoint(0.0, 0.0);
+      function->AddPoint(0.2, 0.0);
+      function->AddPoint(0.3, 1.0);
+      s.Property->SetGradientOpacity(function);
+    } },
   { "nothing to see",
     [](TestScene& s) {
       s.Opacity->RemoveAllPoints();

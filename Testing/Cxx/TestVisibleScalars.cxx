@@ -75,6 +75,49 @@ void TestRandomTables(Check& check)
   }
 }
 
+// Entries that are seen with large gradients alone, against a look at each of them.
+void TestGradients(Check& check)
+{
+  std::mt19937 random(11);
+  const auto uniform = [&]() { return random() / 4294967296.0; };
+  std::vector<float> table(300), least(300);
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    table[i] = uniform() < 0.5 ? 0.0F : 0.5F;
+    least[i] = static_cast<float>(0.2 + uniform());
+  }
+  const double range[2] = { 0.0, 299.0 }; // scalars are entries
+  const VisibleScalars visible(table, range, VisibleScalars::Ends::Centres, least);
+  check.That(visible.DependsOnGradient(), "depends on the gradient");
+  check.That(
+    !VisibleScalars(table, range, VisibleScalars::Ends::Centres).DependsOnGradient(), "does not depend");
+  for (int i = 0; i < 2000; ++i)
+  {
+    const int low = static_cast<int>(299.0 * uniform()),
+              high = std::min(low + static_cast<int>(20.0 * uniform()), 298);
+    const float gradient = static_cast<float>(uniform());
+    bool isSeen = false;
+    for (int entry = low; entry <= high + 1; ++entry)
+    {
+      isSeen |= table[entry] > 0.0F && least[entry] <= gradient;
+    }
+    check.That(visible.HasAny(low + 0.1, high + 0.9, gradient) == isSeen, "seen with a gradient");
+  }
+}
+
+// Half of the gradients up to the largest have an opacity of a half.
+void TestMeanOpacity(Check& check)
+{
+  const double range[2] = { 0.0, 1.0 };
+  VisibleScalars visible({ 0.4F, 0.4F }, range, VisibleScalars::Ends::Centres);
+  check.Near("mean opacity", visible.MeanOpacity(0.0, 1.0, 0.5F), 0.4, 1.0e-6);
+  std::vector<float> gradients(1000, 0.0F);
+  std::fill(gradients.begin() + 250, gradients.end(), 0.5F);
+  visible.SetGradientOpacities(gradients);
+  check.Near("with small gradients", visible.MeanOpacity(0.0, 1.0, 0.2F), 0.0, 1.0e-12);
+  check.Near("with gradients", visible.MeanOpacity(0.0, 1.0, 0.5F), 0.4 * 0.25, 1.0e-3);
+}
+
 // The background has the scalar at which opacity begins.
 void TestEnds(Check& check)
 {
@@ -99,6 +142,8 @@ int TestVisibleScalars(int, char*[])
 {
   Check check;
   TestRandomTables(check);
+  TestGradients(check);
+  TestMeanOpacity(check);
   TestEnds(check);
   return check.ExitCode();
 }
