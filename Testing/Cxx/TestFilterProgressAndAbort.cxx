@@ -19,7 +19,7 @@
 namespace
 {
 // Sanitizers make a filter a few times slower.
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 const double LongestWait = 0.8;
 #else
 const double LongestWait = 0.2;
