@@ -156,15 +156,21 @@ public:
   }
 
 private:
-  // Between froxels it is interpolated: those less than one away from a point have a weight.
+  // Between froxels it is interpolated: those less than one away from a point have a weight. Beyond the window it is as
+  // at its edge.
   double FirstRead(int froxel, double scale) const
   {
-    return std::ceil(froxel + scale * this->Least[froxel] - 1.0 + Rounding);
+    return this->InWindow(std::ceil(froxel + scale * this->Least[froxel] - 1.0 + Rounding));
   }
 
   double LastRead(int froxel, double scale) const
   {
-    return std::floor(froxel + scale * this->Largest[froxel] + 1.0 - Rounding);
+    return this->InWindow(std::floor(froxel + scale * this->Largest[froxel] + 1.0 - Rounding));
+  }
+
+  double InWindow(double froxel) const
+  {
+    return std::clamp(froxel, 0.0, this->Grid.GetSize()[this->Axis] - 1.0);
   }
 
   void AddFroxel(const SweepCone& cone, double place, double other)
