@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
@@ -48,6 +49,11 @@ inline bool EndsWell(const std::function<void()>& work)
   const pid_t child = fork();
   if (child == 0)
   {
+    for (const int crash : { SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL })
+    {
+      std::signal(
+        crash, SIG_DFL); // VTK's logger would wait for ever for the memory of a heap that is damaged
+    }
     work();
     std::cout.flush();
     std::exit(0); // by which a sanitizer looks for leaks
