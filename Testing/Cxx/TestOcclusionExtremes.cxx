@@ -5,6 +5,8 @@
 // same in other units or another window, the same.
 
 #include "OcclusionTesting.h"
+#include "ResizedTable.h"
+#include "ScenePixels.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -219,6 +221,19 @@ void CheckRenderers(Check& check)
   check.Near("a renderer beside another one", difference, 0.0, 0.0);
 }
 
+// Not shaded: ambient light alone.
+void CheckResizedTable(Check& check)
+{
+  TestScene scene;
+  scene.Window->SetSize(60, 60);
+  scene.Renderer->ResetCamera();
+  scene.Property->ShadeOff();
+  scene.Property->OcclusionOn();
+  UseTable2D(scene);
+  const std::string fault = FaultOfPixels(scene.RenderFloat());
+  check.That(fault.empty(), "a 2D transfer function of few rows: " + fault);
+}
+
 void CheckMultiSamples(Check& check)
 {
   TestScene plain, several;
@@ -245,5 +260,6 @@ int TestOcclusionExtremes(int, char*[])
   CheckWindows(check);
   CheckRenderers(check);
   CheckMultiSamples(check);
+  CheckResizedTable(check);
   return check.ExitCode();
 }

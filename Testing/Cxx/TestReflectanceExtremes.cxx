@@ -5,6 +5,7 @@
 // hides nothing, every pixel finite and in range. With the argument --lighting under a lighting transfer
 // function of a light scale of 1e4.
 
+#include "ResizedTable.h"
 #include "ScenePixels.h"
 #include "TestScene.h"
 
@@ -216,21 +217,6 @@ void CheckLighting(Check& check)
   CheckScene(check, "no light", [](TestScene& s) { s.Property->SetLightScale(0.0); });
   CheckScene(check, "an empty function",
     [](TestScene& s) { s.Property->GetLightingTransferFunction()->RemoveAllBoundaries(); });
-}
-
-// VTK resizes the table's rows to 1024 by a window that overshoots where they change: its opacities are below 0 and above 1.
-void UseTable2D(TestScene& scene)
-{
-  vtkNew<vtkImageData> table;
-  table->SetDimensions(8, 8, 1);
-  table->AllocateScalars(VTK_FLOAT, 4);
-  auto* values = static_cast<float*>(table->GetScalarPointer());
-  for (int texel = 0; texel < 64; ++texel)
-  {
-    std::fill(values + 4 * texel, values + 4 * texel + 4, texel / 8 % 4 < 2 ? 1.0F : 0.0F);
-  }
-  scene.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
-  scene.Property->SetTransferFunction2D(table);
 }
 
 void CheckData(Check& check)
